@@ -64,18 +64,38 @@ void classify(Stability& s, bool neutral) {
   }
 }
 
-// Whether a power of the map is less than 1 in the norm of row sums: then all multipliers are inside the unit
-// circle, however many of them are too near to each other to be told apart.
-bool contracts(const SquareMatrix& map) {
-  constexpr int most_doublings = 10;
-  SquareMatrix power = map;
-  for (int k = 0; k <= most_doublings; ++k) {
-    if ((zeros::norm(power) - Ball(1)).is_negative()) {
-      return true;
-    }
-    power = SquareMatrix(zeros::product(power, power));
+// For each symmetric member: with the inverse Y of a Cholesky factor, exact numbers, |Y S Yᵀ - I| < 1.
+bool is_positive_definite(const SquareMatrix& S) {
+  const auto factor = zeros::cholesky(zeros::in_double(S));
+  if (!factor) {
+    return false;
   }
-  return false;
+  const SquareMatrix Y = zeros::inverse(*factor).unaryExpr([](double x) { return Ball(x); });
+  const SquareMatrix E = SquareMatrix(zeros::product(zeros::product(Y, S), SquareMatrix(Y.transpose()))) -
+                         SquareMatrix(SquareMatrix::Identity(S.rows(), S.cols()));
+  return (Ball(1) - zeros::norm(E)).is_positive();
+}
+
+// Whether P and P - Mᵀ P M are positive definite for a P (Stein): then all multipliers are inside the unit
+// circle, however many of them are too near to each other to be told apart. P = I + Mᵀ M + (M²)ᵀ M² + …, in
+// double, twice as many terms each time.
+bool contracts(const SquareMatrix& map) {
+  constexpr int most_doublings = 40;
+  Eigen::MatrixXd power = zeros::in_double(map);
+  const Eigen::Index n = power.rows();
+  Eigen::MatrixXd P = Eigen::MatrixXd::Identity(n, n);
+  for (int k = 0; k < most_doublings && P.allFinite() && power.norm() > 1e-20; ++k) {
+    P += Eigen::MatrixXd(power.transpose().lazyProduct(P)).lazyProduct(power).eval();
+    power = Eigen::MatrixXd(power.lazyProduct(power));
+  }
+  if (!P.allFinite() || !(power.norm() <= 1e-20)) {
+    return false;
+  }
+  const SquareMatrix exact =
+      Eigen::MatrixXd((P + P.transpose()) / 2).unaryExpr([](double x) { return Ball(x); });
+  return is_positive_definite(exact) &&
+         is_positive_definite(exact - SquareMatrix(zeros::product(SquareMatrix(map.transpose()),
+                                                                  SquareMatrix(zeros::product(exact, map)))));
 }
 
 }  // namespace

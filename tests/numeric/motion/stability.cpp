@@ -144,13 +144,13 @@ TEST_CASE("a moving belt does not destabilise orbits that never stick") {
 }
 
 TEST_CASE(
-    "multipliers that cannot be told apart are inside the unit circle where a power of the map contracts") {
+    "multipliers that cannot be told apart are inside the unit circle where a form falls along the map") {
   const auto of_block = [](double mu, double coupling) {
     SquareMatrix J(3, 3);
     J << Ball(mu), Ball(coupling), Ball(0), Ball(0), Ball(mu), Ball(coupling), Ball(0), Ball(0), Ball(mu);
     return motion::stability_of(J, false);
   };
-  // The norm is above 1, only a power is below.
+  // The norm is above 1.
   const Stability inside = of_block(0.9, 5);
   CHECK(inside.kind == StabilityKind::stable);
   CHECK(inside.multipliers.empty());
@@ -160,6 +160,27 @@ TEST_CASE(
     CHECK(of_block(mu, 1).kind != StabilityKind::stable);
     CHECK_FALSE((of_block(mu, 1).kind == StabilityKind::undecided && of_block(mu, 1).reason.empty()));
   }
+  // Two turns of one angle, so that none can be told from the other, and balls: of all members, or not.
+  const auto of_turns = [](double size, double radius) {
+    SquareMatrix J = SquareMatrix::Constant(4, 4, Ball(0));
+    for (const Eigen::Index k : {0, 2}) {
+      J(k, k) = J(k + 1, k + 1) = Ball(0.6 * size);
+      J(k, k + 1) = Ball(0.8 * size);
+      J(k + 1, k) = Ball(-0.8 * size);
+    }
+    J(0, 3) = Ball(1);
+    for (Eigen::Index i = 0; i < 16; ++i) {
+      J.data()[i] += Ball::hull(Ball(-radius), Ball(radius));
+    }
+    return motion::stability_of(J, false);
+  };
+  for (const double radius : {0.0, 1e-6, 3e-4}) {
+    CHECK(of_turns(0.95, radius).kind == StabilityKind::stable);
+  }
+  CHECK(of_turns(0.95, 0.1).kind == StabilityKind::undecided);
+  CHECK(of_turns(0.9999, 1e-3).kind == StabilityKind::undecided);
+  CHECK(of_turns(1, 0).kind != StabilityKind::stable);
+  CHECK(of_turns(1.01, 0).kind != StabilityKind::stable);
   SquareMatrix unknown = SquareMatrix::Constant(2, 2, Ball(0));
   arb_indeterminate(unknown(0, 1).raw());
   CHECK(motion::stability_of(unknown, false).kind == StabilityKind::undecided);
