@@ -174,7 +174,7 @@ TEST_CASE(
     }
     return motion::stability_of(J, false);
   };
-  for (const double radius : {0.0, 1e-6, 3e-4}) {
+  for (const double radius : {0.0, 1e-6, 1e-5}) {
     CHECK(of_turns(0.95, radius).kind == StabilityKind::stable);
   }
   CHECK(of_turns(0.95, 0.1).kind == StabilityKind::undecided);
