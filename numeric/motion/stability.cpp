@@ -79,7 +79,7 @@ bool is_positive_definite(const SquareMatrix& S) {
 // Whether P and P - Mᵀ P M are positive definite for a P (Stein): then all multipliers are inside the unit
 // circle, however many of them are too near to each other to be told apart. P = I + Mᵀ M + (M²)ᵀ M² + …, in
 // double, twice as many terms each time.
-bool contracts(const SquareMatrix& map) {
+bool are_inside_unit_circle(const SquareMatrix& map) {
   constexpr int most_doublings = 40;
   Eigen::MatrixXd power = zeros::in_double(map);
   const Eigen::Index n = power.rows();
@@ -125,7 +125,7 @@ Stability stability_of(const SquareMatrix& return_map, bool collapses) {
     }
     classify(s, false);
   }
-  if (s.kind == StabilityKind::undecided && contracts(return_map)) {
+  if (s.kind == StabilityKind::undecided && are_inside_unit_circle(return_map)) {
     return {StabilityKind::stable, {}, {}};
   }
   return s;

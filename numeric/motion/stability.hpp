@@ -36,8 +36,8 @@ struct Stability {
 
 // The same from the derivative of a return map, of any size, however its balls were found. `collapses`: a
 // direction is lost on the way, so 0 is a multiplier exactly; it is shown as such where a single enclosure
-// can hold it. Stable without multipliers where these do not tell, but a quadratic form falls
-// along the map.
+// can hold it. Stable without multipliers where these do not tell, but a quadratic form
+// falls along the map.
 [[nodiscard]] Stability stability_of(const SquareMatrix& return_map, bool collapses);
 
 // How little it takes to leave a stable orbit: a disturbance that moves the motion by more than the distance
