@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/machines.hpp"
-#include "numeric/machines/curve.hpp"
+#include "numeric/machines/motions_over_data.hpp"
 #include "numeric/machines/machine_attractors.hpp"
 #include "numeric/machines/settle.hpp"
 
@@ -49,7 +49,7 @@ void joint(benchmark::State& state, const Machine& machine, const Eigen::VectorX
     return other;
   };
   const auto motion = [&, guess = settle(machine, from).guess](const Rational& velocity) {
-    return MotionAt{velocity, guess_of(prove_machine_orbit(at(velocity), guess), at(velocity))};
+    return MotionAt{{velocity}, guess_of(prove_machine_orbit(at(velocity), guess), at(velocity))};
   };
   const Rational& V = machine.oscillator.V;
   const MotionAt a = motion(V), b = motion(Rational(V + V / 100000));

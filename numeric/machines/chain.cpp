@@ -1,7 +1,7 @@
 #include "numeric/machines/chain.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <iterator>
 
 #include "core/error.hpp"
@@ -18,8 +18,10 @@ namespace {
 constexpr long more_bits = 64;
 
 LinearPhases phases_of(const MachineQuestion& question) {
-  if (question.ends) {
-    return {oscillator_as<Ball>(question.ends->first), oscillator_as<Ball>(question.ends->second)};
+  if (!question.points.empty()) {
+    std::vector<model::FrictionOscillator<Ball>> points;
+    std::ranges::transform(question.points, std::back_inserter(points), oscillator_as<Ball>);
+    return LinearPhases(points);
   }
   const WorkingPrecision scope(WorkingPrecision::bits() + more_bits);
   LinearPhases phases(oscillator_as<Ball>(question.machine));
@@ -31,13 +33,6 @@ LinearPhases phases_of(const MachineQuestion& question) {
   return phases;
 }
 
-// Between the values at -1 and 1.
-template <class M>
-InDatum<M> linear(const M& low, const M& high) {
-  const M none = low * Ball(0);
-  return {{M((high + low) * Ball(0.5)), M((high - low) * Ball(0.5)), none, none}};
-}
-
 }  // namespace
 
 Node Link::response(const Node& F) const {
@@ -45,26 +40,6 @@ Node Link::response(const Node& F) const {
   Node d = end_velocity * Ball(-F(last) / rate);
   d.tail(last) -= F.head(last);
   return d;
-}
-
-namespace {
-
-Nodes sum(const Nodes& a, const Nodes& b, const Ball& factor) {
-  Nodes sum = a;
-  for (std::size_t i = 0; i < sum.size(); ++i) {
-    sum[i] += b[i] * factor;
-  }
-  return sum;
-}
-
-}  // namespace
-
-Nodes Curve::all() const {
-  return sum(sum(m, tangent, Ball::hull(Ball(-1), Ball(1))), bend, Ball::hull(Ball(0), Ball(1)));
-}
-
-Nodes Curve::rates() const {
-  return sum(tangent, bend, Ball::hull(Ball(-2), Ball(2)));
 }
 
 Node midpoint(const Node& u) {
@@ -92,22 +67,25 @@ Chain::Chain(const MachineQuestion& question)
     }
     return speeds;
   };
-  if (!question.ends) {
+  if (question.points.empty()) {
     speeds_ = speeds_of(question.machine);
     return;
   }
-  speeds_low_ = speeds_of(question.ends->first);
-  speeds_high_ = speeds_of(question.ends->second);
+  std::ranges::transform(question.points, std::back_inserter(speeds_at_points_), speeds_of);
+  const auto of_points = [&](const auto& value) {
+    std::vector<Ball> values;
+    for (std::size_t p = 0; p < question.points.size(); ++p) {
+      values.push_back(value(p));
+    }
+    return through(values);
+  };
   for (std::size_t i = 0; i < size(); ++i) {
-    speeds_.push_back(Ball::hull(speeds_low_[i], speeds_high_[i]));
-    speeds_in_datum_.push_back(linear(speeds_low_[i], speeds_high_[i]));
+    speeds_in_data_.push_back(of_points([&](std::size_t p) { return speeds_at_points_[p][i]; }));
+    speeds_.push_back(speeds_in_data_.back().all());
   }
   if (!autonomous_) {
-    omega_in_datum_ = linear(phases_.low()->oscillator().omega, phases_.high()->oscillator().omega);
-    turn_in_datum_ = reciprocal(omega_in_datum_.c[0], omega_in_datum_.c[1]);
-    for (Ball& coefficient : turn_in_datum_.c) {
-      coefficient *= Ball(2 * question.periods) * Ball::pi();
-    }
+    omega_in_data_ = of_points([&](std::size_t p) { return phases_.points()[p].oscillator().omega; });
+    turn_in_data_ = reciprocal(omega_in_data_) * (Ball(2 * question.periods) * Ball::pi());
   }
 }
 
@@ -194,101 +172,126 @@ Spread Chain::spread() const {
   return node;
 }
 
-Node Chain::conditions(const Curve& curve, std::size_t i) const {
-  const Eigen::Index n = phases_.masses();
-  const std::size_t next = (i + 1) % size();
-  const Ball zero(0);
-  const auto state_at = [&](std::size_t k) {
-    const std::array<Ball, 4>& speed = speeds_in_datum_[k].c;
-    return InDatum<Vector>{{with(speed[0], curve.m[k]), with(speed[1], curve.tangent[k]),
-                            with(speed[2], curve.bend[k]), Vector::Constant(2 * n, zero)}};
-  };
-  const auto time_at = [&](std::size_t k) {
-    return InDatum<Ball>{{curve.m[k](0), curve.tangent[k](0), curve.bend[k](0), zero}};
-  };
-  InDatum<Ball> theta{}, h = time_at(next);
+InData<Ball> Chain::duration(const NodesInData& nodes, std::size_t i) const {
+  const auto time = [](const Matrix& node) { return node(0, 0); };
+  InData<Ball> h = mapped(nodes[(i + 1) % size()], time);
   if (!autonomous_) {
-    theta = omega_in_datum_ * time_at(i);
-    h -= time_at(i);
-    if (next == 0) {
-      h += turn_in_datum_;
+    h += mapped(nodes[i], time) * Ball(-1);
+    if (i + 1 == size()) {
+      h += turn_in_data_;
     }
   }
-  const InDatum<Vector> reached = phases_.after(pieces_[i], h, phases_.whole(state_at(i), theta));
-  InDatum<Vector> apart = state_at(next);
-  for (std::size_t k = 0; k < 4; ++k) {
-    apart.c[k] -= reached.c[k].head(2 * n);
+  return h;
+}
+
+InData<Matrix> Chain::beginning(const NodesInData& nodes, std::size_t i) const {
+  InData<Matrix> state = mapped(nodes[i], [&](const Matrix& node) { return Matrix(with(Ball(0), node)); });
+  state += mapped(speeds_in_data_[i], [&](const Ball& speed) {
+    return Matrix(with(speed, Node::Constant(2 * phases_.masses(), Ball(0))));
+  });
+  InData<Ball> theta(Ball(0));
+  if (!autonomous_) {
+    theta = omega_in_data_ * mapped(nodes[i], [](const Matrix& node) { return node(0, 0); });
   }
-  const auto event_of = [&](const LinearPhases& phases, const Ball& speed) {
-    return event_between(phases, pieces_[i], pieces_[next], speed);
-  };
-  const InDatum<Vector> D =
-      linear(event_of(*phases_.low(), speeds_low_[next]), event_of(*phases_.high(), speeds_high_[next]));
+  return phases_.whole(state, theta);
+}
+
+Chain::Course Chain::course(const NodesInData& nodes, std::size_t i) const {
+  const std::size_t following = (i + 1) % size();
+  std::vector<Matrix> events;
+  for (std::size_t p = 0; p < phases_.points().size(); ++p) {
+    events.emplace_back(event_between(phases_.points()[p], pieces_[i], pieces_[following],
+                                      speeds_at_points_[p][following])
+                            .transpose());
+  }
+  const InData<Matrix> flow = phases_.flow(pieces_[i], duration(nodes, i)), begin = beginning(nodes, i);
+  return {flow, begin, flow * begin, through(events)};
+}
+
+Node Chain::conditions(const NodesInData& nodes, std::size_t i) const {
+  const Eigen::Index n = phases_.masses();
+  const Course phase = course(nodes, i);
+  InData<Matrix> apart = mapped(phase.reached, [&](const Matrix& w) { return Matrix(-without(w)); });
+  apart += mapped(nodes[(i + 1) % size()], [&](const Matrix& node) { return Matrix(node.bottomRows(2 * n - 1)); });
   Node F(2 * n);
-  F.head(2 * n - 1) = without(apart.all());
-  F(2 * n - 1) = product(D, reached, dot).all();
+  F.head(2 * n - 1) = apart.all();
+  F(2 * n - 1) = (phase.event * phase.reached).all()(0, 0);
   return F;
 }
 
-// The derivatives of what a link is made of, one after the other, by the rules for products.
-Matrix Chain::link_by_datum(const Nodes& nodes, const Nodes& rates, std::size_t i) const {
+// As at_event.
+Link Chain::link(const NodesInData& nodes, std::size_t i) const {
   const Eigen::Index states = 2 * phases_.masses();
-  const std::size_t next = (i + 1) % size();
-  const Piece piece = pieces_[i];
-  const Passage course = this->course(nodes, i, true);
-  const Matrix &B = phases_.drift(piece), B_rate = phases_.drift_by_datum(piece);
-  const Vector w = beginning(nodes, i);
-  const Eigen::Index loads = w.size() - states;
-  // Of w where the phase begins; what turns does so with theta.
-  Vector w_rate = course.leaves;
-  if (!autonomous_) {
-    w_rate *= omega_in_datum_.c[1] * nodes[i](0) / phases_.oscillator().omega + rates[i](0);
-  }
-  w_rate(states) = Ball(0);
-  w_rate.head(states) = with(speeds_in_datum_[i].c[1], rates[i]);
-  Ball longer = rates[next](0);
-  if (!autonomous_) {
-    longer -= rates[i](0);
-    if (next == 0) {
-      longer -= turn_ * omega_in_datum_.c[1] / phases_.oscillator().omega;
+  const auto top = [&](const Matrix& w) { return Matrix(w.topRows(states)); };
+  const auto left = [&](const Matrix& row) { return Matrix(row.leftCols(states)); };
+  const auto of_loads = [&](const Matrix& w) { return Matrix(w.bottomRows(w.rows() - states)); };
+  const auto from_loads = [&](const Matrix& A) { return Matrix(A.rightCols(A.cols() - states)); };
+  const Course phase = course(nodes, i);
+  const InData<Matrix>& B = phases_.drift_in_data(pieces_[i]);
+  const InData<Matrix> leaves = product(B, phase.begin, sparse_product<Matrix>),
+                       arrives = product(B, phase.reached, sparse_product<Matrix>);
+  const Spread node = spread();
+  const Matrix time = node.time.transpose();
+  const auto by_time = [&](const InData<Matrix>& x) {
+    return mapped(x, [&](const Matrix& column) { return Matrix(zeros::product(column, time)); });
+  };
+  // (x, x') after the duration, by the node, and how much longer it takes to the event.
+  InData<Matrix> state = mapped(mapped(phase.flow, top), [&](const Matrix& flow) {
+    return Matrix(zeros::product(left(flow), node.state));
+  });
+  state += by_time(mapped(mapped(phase.flow, top), from_loads) * mapped(leaves, of_loads));
+  InData<Matrix> late = mapped(phase.event, left) * state;
+  late += by_time(mapped(phase.event, from_loads) * mapped(arrives, of_loads));
+  const InData<Ball> rate = mapped(phase.event * arrives, [](const Matrix& x) { return x(0, 0); });
+  const InData<Matrix> longer = product(late, reciprocal(rate), [](const Matrix& row, const Ball& x) {
+    return Matrix(row * Ball(-x));
+  });
+  state += mapped(arrives, top) * longer;
+  InData<Matrix> times = longer;
+  times += InData<Matrix>(time);
+  const auto at = [&](Eigen::Index row, const Matrix& x) {
+    Matrix A = Matrix::Constant(states, states, Ball(0));
+    A.middleRows(row, x.rows()) = x;
+    return A;
+  };
+  Link link{mapped(times, [&](const Matrix& row) { return at(0, row); }), Node(states), rate.all()};
+  link.M += mapped(state, [&](const Matrix& A) {
+    Matrix rows(states - 1, states);
+    for (Eigen::Index k = 0; k < states; ++k) {
+      rows.col(k) = without(A.col(k));
     }
+    return at(1, rows);
+  });
+  link.end_velocity(0) = Ball(1);
+  link.end_velocity.tail(states - 1) = without(arrives.all());
+  return link;
+}
+
+std::vector<double> Chain::changes(const NodesInData& nodes) const {
+  const Vector units = phases_.units();
+  std::vector<double> changes;
+  for (std::size_t k = 1; Monomial{0, k}.place() < phases_.points().size(); ++k) {
+    double sum = 0;
+    const auto size = [&](const auto& f, const auto& of) {
+      const std::size_t place = Monomial{0, k}.place();
+      sum += place < f.c.size() && !is_none(f.c[place]) ? of(f.c[place]) : 0;
+    };
+    for (std::size_t i = 0; i < this->size(); ++i) {
+      const double h = duration(nodes, i).c[0].approximate();
+      const auto in_units = [&](const Matrix& B) {
+        return zeros::norm(Matrix(units.cwiseInverse().asDiagonal() * B * units.asDiagonal())).approximate();
+      };
+      const auto in_unit = [&](const Matrix& w) {
+        return zeros::norm(Matrix(units.cwiseInverse().asDiagonal() * w)).approximate();
+      };
+      const InData<Matrix>& B = phases_.drift_in_data(pieces_[i]);
+      size(B, [&](const Matrix& by_datum) { return std::abs(h) * in_units(by_datum); });
+      size(duration(nodes, i), [&](const Ball& x) { return std::abs(x.approximate()) * in_units(B.c[0]); });
+      size(beginning(nodes, i), in_unit);
+    }
+    changes.push_back(sum);
   }
-  const Matrix flow_rate =
-      phases_.flow_by_datum(piece, duration(nodes, i)) + Matrix(sparse_product(B, course.flow) * longer);
-  const Vector leaves_rate = sparse_product(B_rate, w) + sparse_product(B, w_rate);
-  const Vector reached_rate = sparse_product(flow_rate, w) + sparse_product(course.flow, w_rate);
-  const Vector arrives_rate = sparse_product(B_rate, course.reached) + sparse_product(B, reached_rate);
-  const Passage rate{reached_rate,
-                     leaves_rate,
-                     arrives_rate,
-                     flow_rate.topLeftCorner(states, states),
-                     Vector(product(flow_rate.topRightCorner(states, loads), course.leaves.tail(loads))) +
-                         Vector(product(course.flow.topRightCorner(states, loads), leaves_rate.tail(loads))),
-                     {}};
-  const Vector D = event(i);
-  const Vector D_rate = (event_between(*phases_.high(), piece, pieces_[next], speeds_high_[next]) -
-                         event_between(*phases_.low(), piece, pieces_[next], speeds_low_[next])) *
-                        Ball(0.5);
-  Matrix M_rate(states, states);
-  // As in at_event, column by column.
-  const Spread node = spread(), at_end{node.time, after_duration(course, node)};
-  const Matrix end_rate = after_duration(rate, node);
-  const Ball speed = dot(D, course.arrives), speed_rate = dot(D_rate, course.arrives) + dot(D, arrives_rate);
-  const Ball of_loads = dot(D.tail(loads), course.arrives.tail(loads)),
-             of_loads_rate = dot(D_rate.tail(loads), course.arrives.tail(loads)) +
-                             dot(D.tail(loads), arrives_rate.tail(loads));
-  for (Eigen::Index k = 0; k < states; ++k) {
-    const Ball later = -(dot(D.head(states), at_end.state.col(k)) + of_loads * node.time(k)) / speed;
-    const Ball later_rate =
-        -(dot(D_rate.head(states), at_end.state.col(k)) + dot(D.head(states), end_rate.col(k)) +
-          of_loads_rate * node.time(k) + later * speed_rate) /
-        speed;
-    M_rate(0, k) = later_rate;
-    M_rate.col(k).tail(states - 1) =
-        without(Vector(end_rate.col(k) + Vector(arrives_rate.head(states) * later) +
-                       Vector(course.arrives.head(states) * later_rate)));
-  }
-  return M_rate;
+  return changes;
 }
 
 Link Chain::link(const Nodes& nodes, std::size_t i) const {
@@ -301,11 +304,12 @@ Link Chain::link(const Nodes& nodes, std::size_t i) const {
   link.end_velocity(0) = Ball(1);
   link.end_velocity.tail(2 * n - 1) = without(course.arrives);
   link.rate = dot(D, course.arrives);
-  link.M.resize(2 * n, 2 * n);
-  link.M.row(0) = reached.time.transpose();
+  Matrix M(2 * n, 2 * n);
+  M.row(0) = reached.time.transpose();
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
-    link.M.col(k).tail(2 * n - 1) = without(reached.state.col(k));
+    M.col(k).tail(2 * n - 1) = without(reached.state.col(k));
   }
+  link.M = InData<Matrix>(M);
   return link;
 }
 

@@ -32,14 +32,8 @@ namespace stickslip::numeric::machines {
 using Node = Vector;
 using Nodes = std::vector<Node>;
 
-// For -1 <= s <= 1 the nodes m + s m' + s² m''.
-struct Curve {
-  Nodes m, tangent, bend;
-
-  // Contain all of them, and their derivatives by s.
-  [[nodiscard]] Nodes all() const;
-  [[nodiscard]] Nodes rates() const;
-};
+// As functions of data, columns.
+using NodesInData = std::vector<InData<Matrix>>;
 
 // Exactly the middles of the balls.
 [[nodiscard]] Node midpoint(const Node& u);
@@ -48,10 +42,9 @@ struct Curve {
 // The linearisation of a phase: a deviation d of its first node and a change F of its conditions go with
 //   d+ = M d + response(F).
 struct Link {
-  Matrix M;
-  Matrix M_rate = {};  // where M is M + s M_rate for -1 <= s <= 1; else empty
-  Node end_velocity;   // (1, the velocity of the flow at its end, without x_j'')
-  Ball rate;           // g': how fast the event is passed
+  InData<Matrix> M;   // of one machine a constant
+  Node end_velocity;  // (1, the velocity of the flow at its end, without x_j'')
+  Ball rate;          // g': how fast the event is passed
   [[nodiscard]] Node response(const Node& F) const;
 };
 
@@ -59,9 +52,9 @@ struct MachineQuestion {
   Machine machine;
   std::vector<Piece> pieces;  // piece i begins at node i; neighbours differ
   long periods = 1;           // of the load, if there is one
-  // Where they are given all machines between these two are meant, s = -1 and 1, and `machine` is in the
-  // middle: what LinearPhases assumes of two is assumed.
-  std::optional<std::pair<Machine, Machine>> ends = {};
+  // Where there are any all machines are meant whose numbers are linear functions of data, by those at the
+  // points of in_data.hpp's `through`; `machine` is the first, in the middle.
+  std::vector<Machine> points = {};
 };
 
 // At the working precision at which it is made. It keeps what it has computed.
@@ -76,12 +69,12 @@ class Chain {
   // not be transversal.
   [[nodiscard]] Link link(const Nodes& nodes, std::size_t i) const;
 
-  // For all machines between two the conditions of phase i on a curve of nodes; the better, by the third
-  // power of s, the nearer it is to solutions.
-  [[nodiscard]] Node conditions(const Curve& curve, std::size_t i) const;
-  // And the derivative by s of its link's M, when the nodes change with s as `rates` say; `nodes` contain
-  // all.
-  [[nodiscard]] Matrix link_by_datum(const Nodes& nodes, const Nodes& rates, std::size_t i) const;
+  // For all machines the same as functions of the data.
+  [[nodiscard]] Node conditions(const NodesInData& nodes, std::size_t i) const;
+  [[nodiscard]] Link link(const NodesInData& nodes, std::size_t i) const;
+  // How much theta, the duration and w change along the phases with each datum, in units of w and of what
+  // grows in a time.
+  [[nodiscard]] std::vector<double> changes(const NodesInData& nodes) const;
 
   [[nodiscard]] const LinearPhases& phases() const { return phases_; }
   // (x, x') at node i.
@@ -99,6 +92,13 @@ class Chain {
   [[nodiscard]] Spread spread() const;
   // Zero where phase i ends, as a row.
   [[nodiscard]] Vector event(std::size_t i) const;
+  // Phase i as functions of the data.
+  struct Course {
+    InData<Matrix> flow, begin, reached, event;  // the event's row
+  };
+  [[nodiscard]] InData<Ball> duration(const NodesInData& nodes, std::size_t i) const;
+  [[nodiscard]] InData<Matrix> beginning(const NodesInData& nodes, std::size_t i) const;
+  [[nodiscard]] Course course(const NodesInData& nodes, std::size_t i) const;
   // (x, x') with x_j' put in, and without.
   [[nodiscard]] Vector with(const Ball& speed, const Node& node) const;
   [[nodiscard]] Vector without(const Vector& state) const;
@@ -108,10 +108,10 @@ class Chain {
   LinearPhases phases_;
   std::vector<Ball> speeds_;  // x_j' at the nodes
   Ball turn_;                 // of all periods
-  // For all machines between two the same at these, and as functions of s.
-  std::vector<Ball> speeds_low_, speeds_high_;
-  std::vector<InDatum<Ball>> speeds_in_datum_;
-  InDatum<Ball> omega_in_datum_{}, turn_in_datum_{};
+  // For all machines these, and x_j' at the points.
+  std::vector<InData<Ball>> speeds_in_data_;
+  std::vector<std::vector<Ball>> speeds_at_points_;
+  InData<Ball> omega_in_data_, turn_in_data_;
 };
 
 }  // namespace stickslip::numeric::machines

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -25,15 +24,19 @@ Matrix middles(const Matrix& A) {
 bool is_finite(const Matrix& A) {
   return std::all_of(A.data(), A.data() + A.size(), [](const Ball& entry) { return entry.is_finite(); });
 }
+bool is_finite(const InData<Matrix>& A) {
+  return is_finite(A.rest) &&
+         std::ranges::all_of(A.c, [](const Matrix& coefficient) { return is_finite(coefficient); });
+}
 
 // The frames of all nodes. The second time round the first frame is where the first time ended, so that the
 // return map, too, is nearly triangular, as far as its eigenvalues differ in size.
 std::vector<Matrix> frames(const std::vector<Link>& links) {
   std::vector<Eigen::MatrixXd> M;
   for (const Link& link : links) {
-    M.emplace_back(in_double(link.M));
+    M.emplace_back(in_double(link.M.c[0]));
   }
-  const Eigen::Index n = links.front().M.rows();
+  const Eigen::Index n = M.front().rows();
   Eigen::MatrixXd now = Eigen::MatrixXd::Identity(n, n);
   for (const Eigen::MatrixXd& factor : M) {
     now = zeros::orthonormal(factor.lazyProduct(now));
@@ -105,71 +108,30 @@ std::optional<Matrix> enclosed_inverse(const Matrix& A, const Matrix& Y) {
 
 namespace {
 
-// A matrix that depends on s, -1 <= s <= 1, as a polynomial; empty coefficients are zero.
-using OfS = std::array<Matrix, 3>;
-const Matrix zero;
-
-void add(Matrix& sum, const Matrix& a, const Matrix& b) {
-  if (a.size() == 0 || b.size() == 0) {
-    return;
-  }
-  if (sum.size() == 0) {
-    sum = product(a, b);
-  } else {
-    sum += product(a, b);
-  }
-}
-
-// (a + s a_rate) b, what s³ multiplies being in the constant.
-OfS times(const Matrix& a, const Matrix& a_rate, const OfS& b) {
-  OfS result;
-  Matrix cubic;
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    add(result.at(i), a, b.at(i));
-    add(i + 1 < b.size() ? result.at(i + 1) : cubic, a_rate, b.at(i));
-  }
-  if (cubic.size() > 0) {
-    result[0] += cubic * Ball::hull(Ball(-1), Ball(1));
-  }
-  return result;
-}
-
-// For all s.
-Matrix all_of(const OfS& a) {
-  Matrix all = a[0];
-  if (a[1].size() > 0) {
-    all += a[1] * Ball::hull(Ball(-1), Ball(1));
-  }
-  if (a[2].size() > 0) {
-    all += a[2] * Ball::hull(Ball(0), Ball(1));
-  }
-  return all;
-}
-
-// Contains the solutions of C(s) x = v, C = 1 - P: with Y(s) = Y + s Y P1 Y near the inverse and |1 - Y(s)
-// C(s)| = e < 1 they are within e/(1 - e) |Y(s) v| of Y(s) v.
-std::optional<Node> solved(const OfS& P, const Node& v) {
-  const Matrix C = Matrix(Matrix::Identity(v.size(), v.size())) - P[0];
-  const auto Y = is_finite(C) ? zeros::row_combinations(C) : std::nullopt;
-  if (!Y) {
+// Contains the solutions of C x = v, C = 1 - P: with Y near the inverse, where C is linear, and |1 - Y C| = e
+// < 1 they are within e/(1 - e) |Y v| of Y v.
+std::optional<Node> solved(const InData<Matrix>& P, const Node& v) {
+  const Matrix one = Matrix::Identity(v.size(), v.size());
+  const Matrix C = one - P.c[0];
+  const auto inverse = is_finite(P) ? zeros::row_combinations(C) : std::nullopt;
+  if (!inverse) {
     return std::nullopt;
   }
-  OfS E;  // Y(s) P - Y(s) + 1
-  const Matrix Y1 = P[1].size() > 0 ? middles(product(*Y, Matrix(product(P[1], *Y)))) : zero;
-  E = times(*Y, Y1, P);
-  E[0] += Matrix(Matrix::Identity(v.size(), v.size())) - *Y;
-  if (Y1.size() > 0) {
-    E[1] -= Y1;
+  InData<Matrix> Y(*inverse);
+  Y.c.resize(P.c.size());
+  for (std::size_t i = 1; i < P.c.size(); ++i) {
+    if (monomial(i).degree() == 1 && !is_none(P.c[i])) {
+      Y.c[i] = middles(product(*inverse, Matrix(product(P.c[i], *inverse))));
+    }
   }
-  Ball e(0);
-  for (const Matrix& part : E) {
-    e += part.size() > 0 ? zeros::norm(part) : Ball(0);
-  }
-  const Ball room = Ball(1) - e;
+  InData<Matrix> E = Y * P;
+  E += Y * Ball(-1);
+  E += InData<Matrix>(one);
+  const Ball e = zeros::norm(E.all()), room = Ball(1) - e;
   if (!room.is_positive()) {
     return std::nullopt;
   }
-  Node x = product(all_of({*Y, Y1, zero}), v);
+  Node x = product(Y.all(), v);
   Ball largest(0);
   for (const Ball& entry : x) {
     arb_max(largest.raw(), largest.raw(), abs(entry).upper().raw(), WorkingPrecision::bits());
@@ -183,9 +145,9 @@ std::optional<Node> solved(const OfS& P, const Node& v) {
 
 // Powers of two, as exponents, in which the links are balanced.
 std::vector<long> units_of(const std::vector<Link>& links) {
-  Eigen::MatrixXd sizes = in_double(links.front().M).cwiseAbs();
+  Eigen::MatrixXd sizes = in_double(links.front().M.c[0]).cwiseAbs();
   for (std::size_t i = 1; i < links.size(); ++i) {
-    sizes += in_double(links[i].M).cwiseAbs();
+    sizes += in_double(links[i].M.c[0]).cwiseAbs();
   }
   std::vector<long> exponents;
   for (const Ball& unit : balance(sizes.unaryExpr([](double x) { return Ball(x); }))) {
@@ -218,38 +180,38 @@ Node scaled(Node d, const std::vector<long>& units, long sign) {
 }  // namespace
 
 std::optional<Sweep> sweep(std::vector<Link> links, const Nodes& g) {
-  const bool finite = std::all_of(links.begin(), links.end(),
-                                  [](const Link& l) { return is_finite(l.M) && is_finite(l.M_rate); });
+  const bool finite =
+      std::all_of(links.begin(), links.end(), [](const Link& link) { return is_finite(link.M); });
   if (!finite) {
     return std::nullopt;
   }
   const std::vector<long> units = units_of(links);
   for (Link& link : links) {
-    scale(link.M, units);
-    scale(link.M_rate, units);
+    for (Matrix& coefficient : link.M.c) {
+      scale(coefficient, units);
+    }
+    scale(link.M.rest, units);
   }
   const std::size_t count = links.size();
   const std::vector<Matrix> Q = frames(links);
-  const Eigen::Index n = links.front().M.rows();
+  const Eigen::Index n = Q.front().rows();
   // e_i = P_i e_0 + h_i.
-  std::vector<OfS> P{{Matrix::Identity(n, n), zero, zero}};
+  std::vector<InData<Matrix>> P{InData<Matrix>(Matrix::Identity(n, n))};
   Nodes h{Node::Constant(n, Ball(0))};
   for (std::size_t i = 0; i < count; ++i) {
     const Matrix to = Q[(i + 1) % count].transpose();
-    Matrix R, R_rate;
-    add(R, to, product(links[i].M, Q[i]));
-    add(R_rate, to, links[i].M_rate.size() > 0 ? Matrix(product(links[i].M_rate, Q[i])) : zero);
-    P.emplace_back(times(R, R_rate, P[i]));
-    const Node passed = product(R_rate.size() > 0 ? all_of({R, R_rate, zero}) : R, h[i]);
-    h.emplace_back(passed + product(to, scaled(g[i], units, 1)));
+    const InData<Matrix> R =
+        mapped(links[i].M, [&](const Matrix& M) { return Matrix(product(to, product(M, Q[i]))); });
+    P.push_back(R * P[i]);
+    h.emplace_back(product(R.all(), h[i]) + product(to, scaled(g[i], units, 1)));
   }
   const auto first = solved(P.back(), h.back());
   if (!first) {
     return std::nullopt;
   }
-  Sweep result{{}, all_of(P.back())};
+  Sweep result{{}, P.back().all()};
   for (std::size_t i = 0; i < count; ++i) {
-    const Node deviation = product(Q[i], Node(product(all_of(P[i]), *first) + h[i]));
+    const Node deviation = product(Q[i], Node(product(P[i].all(), *first) + h[i]));
     result.deviations.emplace_back(scaled(deviation, units, -1));
   }
   return result;
@@ -440,13 +402,6 @@ ChainProof prove_chain(const MachineQuestion& question, const Nodes& guess, long
 
 namespace {
 
-Nodes moved(Nodes nodes, const Nodes& by, const Ball& s) {
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    nodes[i] += by[i] * s;
-  }
-  return nodes;
-}
-
 // Twice as wide as the deviations, about 0.
 Nodes room_for(const Nodes& deviations) {
   const double least = std::exp2(-static_cast<double>(WorkingPrecision::bits()) / 2);
@@ -471,55 +426,69 @@ bool is_inside(const Nodes& nodes, const Nodes& room) {
 
 }  // namespace
 
-// In a box about the curve the derivatives of the conditions by the nodes are those about m at s = 0 and s
-// times how they change along the curve; what Newton's test takes of them, their means between two points of
-// the box for one s, lies in the same balls.
-ChainProof prove_curve(const MachineQuestion& question, const ChainProof& low, const ChainProof& high,
-                       long bits) {
-  constexpr int attempts = 3;
-  MachineQuestion thin = question;
-  thin.ends.reset();
-  const WorkingPrecision scope(bits);
-  Chains chains(thin);
-  const Nodes first = midpoints(low.nodes), last = midpoints(high.nodes);
-  const Nodes tangent = midpoints(moved(moved(last, last, Ball(-0.5)), first, Ball(-0.5)));
-  const Approach approach = approximate(chains, midpoints(moved(first, tangent, Ball(1))), bits);
-  if (!approach.nodes) {
-    return open("Newton's method leads to no closed motion from there");
+std::optional<Nodes> approximate_chain(const MachineQuestion& question, const Nodes& guess) {
+  Chains chains(question);
+  return approximate(chains, midpoints(guess), WorkingPrecision::bits()).nodes;
+}
+
+NodesInData nodes_through(const std::vector<Nodes>& at_points) {
+  NodesInData nodes;
+  for (std::size_t i = 0; i < at_points.front().size(); ++i) {
+    std::vector<Matrix> values;
+    for (const Nodes& at_point : at_points) {
+      values.emplace_back(at_point[i]);
+    }
+    nodes.emplace_back(mapped(through(values), middles)).rest.resize(0, 0);
   }
-  const Nodes& m = *approach.nodes;
-  const Chain& one = chains.now();
+  return nodes;
+}
+
+// What Newton's test takes of the derivatives of the conditions by the nodes, their means between two points
+// of the box for one s, lies in the balls for the box.
+ChainProof prove_chains(const MachineQuestion& question, const NodesInData& nodes,
+                        const std::vector<Known>& known) {
+  constexpr int attempts = 3;
   const Chain chain(question);
-  const Curve curve{m, tangent,
-                    midpoints(moved(moved(moved(m, m, Ball(-2)), last, Ball(0.5)), first, Ball(0.5)))};
-  const Nodes all = curve.all(), rates = curve.rates();
+  const auto links_at = [&](const NodesInData& X) {
+    std::vector<Link> links;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      links.push_back(chain.link(X, i));
+    }
+    return links;
+  };
   Nodes F;
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    F.push_back(chain.conditions(curve, i));
+    F.push_back(chain.conditions(nodes, i));
   }
-  const std::vector<Link> near = links_of(one, m);
-  auto image = sweep(near, responses(near, F));
+  std::vector<Link> links = links_at(nodes);
+  auto image = sweep(links, responses(links, F));
   for (int attempt = 0; attempt < attempts && image; ++attempt) {
     const Nodes room = room_for(image->deviations);
-    const Nodes about = moved(m, room, Ball(1)), unique = moved(all, room, Ball(1));
-    std::vector<Link> links = links_of(chain, unique);
-    const Nodes g = responses(links, F);
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      links[i].M = one.link(about, i).M;
-      links[i].M_rate = chain.link_by_datum(unique, rates, i);
+    NodesInData X = nodes;
+    for (std::size_t i = 0; i < X.size(); ++i) {
+      X[i].rest = room[i];
     }
-    image = sweep(links, g);
+    links = links_at(X);
+    image = sweep(links, responses(links, F));
     if (!image || !is_inside(image->deviations, room)) {
       continue;
     }
-    const Nodes ends = moved(about, curve.bend, Ball(1));
-    if (!is_inside(low.nodes, moved(ends, tangent, Ball(-1))) ||
-        !is_inside(high.nodes, moved(ends, tangent, Ball(1)))) {
-      return open("the curve does not end at the motions on both sides");
+    for (const Known& one : known) {
+      const std::vector<Ball> s(one.s.begin(), one.s.end());
+      for (std::size_t i = 0; i < X.size(); ++i) {
+        if (!zeros::is_interior<Eigen::Dynamic>(Node(one.proof.nodes[i] - nodes[i].at(s)), room[i])) {
+          return open("a known motion is not among those");
+        }
+      }
     }
-    return {Verdict::proved(), bits, moved(all, image->deviations, Ball(1)), unique, image->return_map};
+    ChainProof proof{Verdict::proved(), WorkingPrecision::bits(), {}, {}, image->return_map};
+    for (std::size_t i = 0; i < X.size(); ++i) {
+      proof.unique.emplace_back(X[i].all());
+      proof.nodes.emplace_back(nodes[i].all() + image->deviations[i]);
+    }
+    return proof;
   }
-  return open("no box around the curve passed Newton's test");
+  return open("no box around the motions passed Newton's test");
 }
 
 namespace {

@@ -18,7 +18,7 @@ namespace stickslip::numeric::machines {
 // A product of many ball matrices is useless when it is formed as it stands, for the balls grow as the norms
 // of the factors multiply. So each deviation is written in a frame of its own, d = Q e with Q orthogonal in
 // units that balance the links, chosen such that M Q = Q+ R with R nearly triangular (Lohner's method): then
-// the balls grow as the deviations do. Where links change with s, so do products: up to its square.
+// the balls grow as the deviations do.
 
 // Contains the inverse of each member of A, given a matrix Y near it; nothing when |I - Y A| < 1 in the norm
 // of row sums is not proved.
@@ -63,12 +63,24 @@ struct ChainProof {
 [[nodiscard]] ChainProof prove_chain(const MachineQuestion& question, const Nodes& guess, long bits,
                                      long most_bits);
 
-// For all machines between the ends of the question, s from -1 to 1, between whose proved chains a curve of
-// nodes m + s m' + s² m'' is laid, m found by Newton's method: its test for all of them at once. Proved: for
-// each of them exactly one closed chain has its nodes in a box about the curve there; these form a curve from
-// the one proved chain to the other; the nodes contain all, and the return map that of each.
-[[nodiscard]] ChainProof prove_curve(const MachineQuestion& question, const ChainProof& low,
-                                     const ChainProof& high, long bits);
+// A closed chain that is proved for the machine at these s.
+struct Known {
+  std::vector<Rational> s;
+  ChainProof proof;
+};
+
+// Near the closed chains of the machines at the question's points, floats, a polynomial of nodes.
+[[nodiscard]] NodesInData nodes_through(const std::vector<Nodes>& at_points);
+
+// For all machines of a question with points Newton's test about such a polynomial, all at once. Proved: for
+// each machine exactly one closed chain has its nodes in a box about the polynomial there; these depend
+// continuously on the data, and the known ones are among them; the nodes contain all, and the return map that
+// of each.
+[[nodiscard]] ChainProof prove_chains(const MachineQuestion& question, const NodesInData& nodes,
+                                      const std::vector<Known>& known);
+
+// Newton's method in floats at the working precision; nothing where it leads nowhere.
+[[nodiscard]] std::optional<Nodes> approximate_chain(const MachineQuestion& question, const Nodes& guess);
 
 // How many times a shorter closed chain the proved one is; undecided where that is not known. With a load the
 // shorter one closes after whole periods of it.

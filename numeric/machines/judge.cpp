@@ -63,7 +63,7 @@ void Watched::follow(const LinearPhases& phases, Piece piece, const Vector& w, c
 
 const Watched::Stretch& Watched::stretch(std::size_t k) const {
   // From one to the next balls grow; so every now and then from the first, and where they are wide always.
-  const std::size_t most_in_a_row = phases_.low() == nullptr ? 16 : 1;
+  const std::size_t most_in_a_row = phases_.points().empty() ? 16 : 1;
   while (stretches_.size() <= k) {
     const std::size_t n = stretches_.size();
     const double start = static_cast<double>(n) * watch_->length;

@@ -118,91 +118,123 @@ LinearPhases::LinearPhases(const model::FrictionOscillator<Ball>& oscillator)
 
 namespace {
 
-model::FrictionOscillator<Ball> hull(const model::FrictionOscillator<Ball>& a,
-                                     const model::FrictionOscillator<Ball>& b) {
-  std::vector<Ball> numbers;
-  (void)model::mapped<Ball>(b, [&](const Ball& x) { return numbers.emplace_back(x); });
+// The numbers of all machines.
+model::FrictionOscillator<Ball> all_of(const std::vector<model::FrictionOscillator<Ball>>& points) {
+  std::vector<std::vector<Ball>> numbers(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    (void)model::mapped<Ball>(points[i], [&](const Ball& x) { return numbers[i].emplace_back(x); });
+  }
   std::size_t k = 0;
-  return model::mapped<Ball>(a, [&](const Ball& x) { return Ball::hull(x, numbers.at(k++)); });
-}
-
-template <class M>
-M hull_of(const M& a, const M& b) {
-  return a.binaryExpr(b, [](const Ball& x, const Ball& y) { return Ball::hull(x, y); });
+  return model::mapped<Ball>(points.front(), [&](const Ball&) {
+    std::vector<Ball> values;
+    for (const std::vector<Ball>& at_point : numbers) {
+      values.push_back(at_point.at(k));
+    }
+    ++k;
+    return through(values).all();
+  });
 }
 
 }  // namespace
 
-LinearPhases::LinearPhases(const model::FrictionOscillator<Ball>& low,
-                           const model::FrictionOscillator<Ball>& high)
-    : LinearPhases(hull(low, high)) {
-  ends_ = std::make_shared<const std::pair<LinearPhases, LinearPhases>>(low, high);
-  r_ = hull_of(ends_->first.r_, ends_->second.r_);
+LinearPhases::LinearPhases(const std::vector<model::FrictionOscillator<Ball>>& points)
+    : LinearPhases(all_of(points)) {
+  std::vector<Matrix> r;
+  for (const model::FrictionOscillator<Ball>& point : points) {
+    r.emplace_back(points_.emplace_back(point).r_);
+  }
+  r_ = through(r).all();
 }
 
-Matrix LinearPhases::make_drift(Piece piece) const {
-  if (ends_) {
-    return hull_of(ends_->first.drift(piece), ends_->second.drift(piece));
-  }
+Matrix LinearPhases::forces(Piece piece) const {
   const Eigen::Index j = rubbing();
-  Matrix B = Matrix::Constant(size_, size_, Ball(0));
+  Matrix F = Matrix::Constant(size_, size_, Ball(0));
   for (Eigen::Index i = 0; i < n_; ++i) {
-    B(i, n_ + i) = Ball(1);
-    if (i == j) {
-      continue;
-    }
-    const Ball& m = oscillator_.masses[static_cast<std::size_t>(i)];
-    for (Eigen::Index k = 0; k < n_; ++k) {
-      B(n_ + i, k) = -oscillator_.stiffness(i, k) / m;
-      B(n_ + i, n_ + k) = -oscillator_.damping(i, k) / m;
+    F(i, n_ + i) = Ball(1);
+    for (Eigen::Index k = 0; i != j && k < n_; ++k) {
+      F(n_ + i, k) = -oscillator_.stiffness(i, k);
+      F(n_ + i, n_ + k) = -oscillator_.damping(i, k);
     }
   }
   for (std::size_t l = 0; l < multiples_.size(); ++l) {
     const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
     const Ball frequency = Ball(multiples_[l]) * oscillator_.omega;
-    B(k, k + 1) = -frequency;
-    B(k + 1, k) = frequency;
+    F(k, k + 1) = -frequency;
+    F(k + 1, k) = frequency;
   }
   for (const model::HarmonicForce<Ball>& load : oscillator_.loads) {
     if (load.mass == oscillator_.rubbing) {
       continue;
     }
-    const Ball& m = oscillator_.masses[load.mass];
     const Eigen::Index i = n_ + static_cast<Eigen::Index>(load.mass);
     const auto found = std::find(multiples_.begin(), multiples_.end(), load.k);
     if (found == multiples_.end()) {
-      B(i, 2 * n_) += load.cosine / m;
+      F(i, 2 * n_) += load.cosine;
       continue;
     }
     const Eigen::Index k = 2 * n_ + 1 + 2 * (found - multiples_.begin());
-    B(i, k) += load.cosine / m;
-    B(i, k + 1) += load.sine / m;
+    F(i, k) += load.cosine;
+    F(i, k + 1) += load.sine;
   }
   if (piece.kind == PhaseKind::stick) {
-    return B;
+    return F;
   }
   // m x_j'' = u - r, u = side (force + slope (side (V - x_j') - from)).
   if (piece.number < 0 || static_cast<std::size_t>(piece.number) >= oscillator_.law(piece.side()).pieces()) {
     throw InternalError("the friction law has no such piece");
   }
-  const Ball& m = oscillator_.masses[oscillator_.rubbing];
   for (Eigen::Index k = 0; k < size_; ++k) {
-    B(n_ + j, k) = -r_(k) / m;
+    F(n_ + j, k) = -r_(k);
   }
   if (is_smooth(piece)) {
-    return B;
+    return F;
   }
   const model::SlidingPiece<Ball>& law =
       oscillator_.law(piece.side()).sliding[static_cast<std::size_t>(piece.number)];
-  B(n_ + j, n_ + j) -= law.slope / m;
-  B(n_ + j, 2 * n_) +=
-      (Ball(piece.side()) * (law.force - law.slope * law.from) + law.slope * oscillator_.V) / m;
-  return B;
+  F(n_ + j, n_ + j) -= law.slope;
+  F(n_ + j, 2 * n_) += Ball(piece.side()) * (law.force - law.slope * law.from) + law.slope * oscillator_.V;
+  return F;
 }
 
 const Matrix& LinearPhases::drift(Piece piece) const {
-  const auto found = drifts_.find(piece);
-  return found != drifts_.end() ? found->second : drifts_.emplace(piece, make_drift(piece)).first->second;
+  const auto [entry, is_new] = drifts_.try_emplace(piece);
+  if (is_new && !points_.empty()) {
+    entry->second = drift_in_data(piece).all();
+  } else if (is_new) {
+    entry->second = forces(piece);
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      for (Eigen::Index k = 0; k < size_; ++k) {
+        entry->second(n_ + i, k) /= oscillator_.masses[static_cast<std::size_t>(i)];
+      }
+    }
+  }
+  return entry->second;
+}
+
+// Forces are sums of products of two numbers at most.
+const InData<Matrix>& LinearPhases::drift_in_data(Piece piece) const {
+  const auto [entry, is_new] = drifts_in_data_.try_emplace(piece);
+  if (!is_new) {
+    return entry->second;
+  }
+  const auto of_points = [&](const auto& value) {
+    std::vector<std::decay_t<decltype(value(points_.front()))>> values;
+    std::ranges::transform(points_, std::back_inserter(values), value);
+    return through(values);
+  };
+  const InData<Matrix> F = of_points([&](const LinearPhases& point) { return point.forces(piece); });
+  InData<Matrix> inverse(Matrix::Identity(size_, size_));  // of M
+  for (Eigen::Index i = n_; i < 2 * n_; ++i) {
+    const InData<Ball> one = reciprocal(of_points(
+        [&](const LinearPhases& point) { return point.oscillator_.masses[static_cast<std::size_t>(i - n_)]; }));
+    inverse.c[0](i, i) = Ball(0);
+    inverse += mapped(one, [&](const Ball& x) {
+      Matrix A = Matrix::Constant(size_, size_, Ball(0));
+      A(i, i) = x;
+      return A;
+    });
+  }
+  return entry->second = product(inverse, F, sparse_product<Matrix>);
 }
 
 namespace {
@@ -237,7 +269,7 @@ Matrix part_of(const Matrix& B, const std::vector<Eigen::Index>& rows,
 std::optional<LinearPhases::Modes> LinearPhases::make_modes(Piece piece) const {
   const Matrix& B = drift(piece);
   const bool sticks = piece.kind == PhaseKind::stick;
-  if (ends_) {
+  if (!points_.empty()) {
     return std::nullopt;
   }
   Modes modes;
@@ -329,30 +361,84 @@ const std::optional<LinearPhases::Modes>& LinearPhases::modes(Piece piece) const
   return found != modes_.end() ? found->second : modes_.emplace(piece, make_modes(piece)).first->second;
 }
 
-Matrix LinearPhases::drift_by_datum(Piece piece) const {
-  return Matrix(ends_->second.drift(piece) - ends_->first.drift(piece)) * Ball(0.5);
+namespace {
+
+// Which entries a function of B may have: those that a product of such matrices may.
+Eigen::MatrixXi pattern_of(const Matrix& B) {
+  const Eigen::Index n = B.rows();
+  Eigen::MatrixXi may = Eigen::MatrixXi::Identity(n, n);
+  for (Eigen::Index i = 0; i < may.size(); ++i) {
+    may.data()[i] += is_zero(B.data()[i]) ? 0 : 1;
+  }
+  for (Eigen::Index through = 0; through < n; ++through) {
+    for (Eigen::Index k = 0; k < n; ++k) {
+      for (Eigen::Index i = 0; may(through, k) != 0 && i < n; ++i) {
+        may(i, k) = may(i, k) != 0 || may(i, through) != 0 ? 1 : 0;
+      }
+    }
+  }
+  return may;
 }
 
-FlowsBetween LinearPhases::flows_at(Piece piece, const Ball& t) const {
-  return flows_between(Matrix(ends_->first.drift(piece) + ends_->second.drift(piece)) * Ball(0.5),
-                       drift_by_datum(piece), t, units_.cwiseInverse());
+Ball size_in(const Vector& units, const Matrix& A) {
+  return zeros::norm(Matrix(units.cwiseInverse().asDiagonal() * A * units.asDiagonal())).upper();
 }
 
-// With h = m + d: the derivative at m times exp(B d), and exp(B m) times that at d, an integral of
-// exp(B (d - u)) B1 exp(B u) over u.
-Matrix LinearPhases::flow_by_datum(Piece piece, const Ball& h) const {
-  const Matrix one = Matrix::Identity(size_, size_);
-  const Ball off = h - nearest(piece, h.midpoint()).middle;
-  const Matrix around = moved(piece, Ball::hull(off, -off), one);
-  const auto& [middle, of_middle, flows] = nearest(piece, h.midpoint());
-  const Ball d = h - middle;
-  const Matrix varies = zeros::product(around, Matrix(sparse_product(drift_by_datum(piece), around) * d));
-  return Matrix(zeros::product(flows.by_s(), around)) + Matrix(zeros::product(of_middle, varies));
+}  // namespace
+
+// The Taylor polynomial of A/2^k, squared k times.
+InData<Matrix> exponential(const InData<Matrix>& A, const Vector& units) {
+  constexpr int most_halvings = 60;
+  const Matrix all = A.all();
+  const Eigen::Index n = all.rows();
+  InData<Matrix> E(Matrix::Identity(n, n));
+  const double size = size_in(units, all).approximate();
+  if (!(size < std::exp2(most_halvings))) {
+    for (Ball& entry : E.c[0].reshaped()) {
+      arb_indeterminate(entry.raw());
+    }
+    return E;
+  }
+  const int halvings = size > 0.5 ? static_cast<int>(std::ceil(std::log2(size))) + 1 : 0;
+  const InData<Matrix> part = A * Ball(std::exp2(-halvings));
+  const Ball q = size_in(units, part.all());
+  InData<Matrix> term = E;
+  Ball power = q;  // q^m/m!, q < 1
+  const double enough = std::exp2(-static_cast<double>(WorkingPrecision::bits()));
+  for (long m = 1; m == 1 || power.approximate() > enough; ++m) {
+    term = product(part, term, sparse_product<Matrix>) * (Ball(1) / Ball(m));
+    E += term;
+    power = Ball(power * q / Ball(m + 1)).upper();
+  }
+  // What is left out is at most twice its first term.
+  const Eigen::MatrixXi pattern = pattern_of(all);
+  Matrix rest = Matrix::Constant(n, n, Ball(0));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const Ball most = Ball(Ball(2) * power * units(i) / units(k)).upper();
+      rest(i, k) = pattern(i, k) != 0 ? Ball::hull(-most, most) : Ball(0);
+    }
+  }
+  add(E.rest, rest);
+  for (int k = 0; k < halvings; ++k) {
+    E = E * E;
+  }
+  return E;
+}
+
+// exp(B m) exp(B d), with h = m + d.
+InData<Matrix> LinearPhases::flow(Piece piece, const InData<Ball>& h) const {
+  const Exponential& known = nearest(piece, h.c[0].midpoint());
+  InData<Ball> d = h;
+  d.c[0] -= known.middle;
+  return known.in_data *
+         exponential(product(drift_in_data(piece), d, [](const Matrix& B, const Ball& x) { return Matrix(B * x); }),
+                     units_);
 }
 
 Matrix LinearPhases::flow_at(Piece piece, const Ball& t) const {
-  if (ends_) {
-    return flows_at(piece, t).in_datum().all();
+  if (!points_.empty()) {
+    return exponential(drift_in_data(piece) * t, units_).all();
   }
   const std::optional<Modes>& known = modes(piece);
   return known ? in_closed_form(*known, t) : exponential(drift(piece) * t);
@@ -361,8 +447,7 @@ Matrix LinearPhases::flow_at(Piece piece, const Ball& t) const {
 const Ball& LinearPhases::norm(Piece piece) const {
   const auto [entry, is_new] = norms_.try_emplace(piece);
   if (is_new) {
-    entry->second =
-        zeros::norm(Matrix(units_.cwiseInverse().asDiagonal() * drift(piece) * units_.asDiagonal()));
+    entry->second = size_in(units_, drift(piece));
   }
   return entry->second;
 }
@@ -379,11 +464,11 @@ const LinearPhases::Exponential& LinearPhases::nearest(Piece piece, const Ball& 
     if (all.size() >= (is_closed ? 1 : most_kept)) {
       all.erase(all.begin());
     }
-    if (ends_) {
-      const FlowsBetween between = flows_at(piece, t);
-      all.push_back({t, between.in_datum().all(), between});
-    } else {
+    if (points_.empty()) {
       all.push_back({t, flow_at(piece, t), {}});
+    } else {
+      const InData<Matrix> flow = exponential(drift_in_data(piece) * t, units_);
+      all.push_back({t, flow.all(), flow});
     }
     found = all.end() - 1;
   }
@@ -449,30 +534,6 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
     }
   }
   return zeros::product(known.of_middle, X);
-}
-
-InDatum<Vector> LinearPhases::after(Piece piece, const InDatum<Ball>& h, const InDatum<Vector>& w) const {
-  const Exponential& known = nearest(piece, h.c[0].midpoint());
-  const Matrix none = Matrix::Constant(size_, size_, Ball(0));
-  const InDatum<Matrix> B{{Matrix(ends_->first.drift(piece) + ends_->second.drift(piece)) * Ball(0.5),
-                           drift_by_datum(piece), none, none}};
-  InDatum<Ball> d = h;
-  d.c[0] -= known.middle;
-  InDatum<Vector> moved = w;
-  const Ball size = size_of(w.all());
-  const Ball share = add_terms(
-      moved, Ball(norm(piece) * abs(d.all())).upper(),
-      std::exp2(-static_cast<double>(WorkingPrecision::bits())), [&](const InDatum<Vector>& term, int k) {
-        const auto Bw =
-            product(B, term, [](const Matrix& A, const Vector& x) { return sparse_product(A, x); });
-        return product(Bw, d, [&](const Vector& x, const Ball& y) { return Vector(x * Ball(y / Ball(k))); });
-      });
-  for (Eigen::Index i = 0; i < size_; ++i) {
-    const Ball R = Ball(units_(i) * size * share).upper();
-    moved.c[0](i) += Ball::hull(-R, R);
-  }
-  return product(known.between.in_datum(), moved,
-                 [](const Matrix& A, const Vector& x) { return Vector(zeros::product(A, x)); });
 }
 
 Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
@@ -554,25 +615,22 @@ Vector LinearPhases::whole(const Vector& state, const Ball& theta) const {
   return w;
 }
 
-InDatum<Vector> LinearPhases::whole(const InDatum<Vector>& state, const InDatum<Ball>& theta) const {
-  InDatum<Vector> w;
-  for (std::size_t i = 0; i < 4; ++i) {
-    w.c[i] = Vector::Constant(size_, Ball(0));
-    w.c[i].head(2 * n_) = state.c[i];
-  }
-  w.c[0](2 * n_) = Ball(1);
+InData<Matrix> LinearPhases::whole(const InData<Matrix>& state, const InData<Ball>& theta) const {
+  const auto at = [&](Eigen::Index row, const auto& x) {
+    Matrix w = Matrix::Constant(size_, 1, Ball(0));
+    w.middleRows(row, x.rows()) = x;
+    return w;
+  };
+  const auto number_at = [&](Eigen::Index row) {
+    return [&, row](const Ball& x) { return at(row, Matrix(Matrix::Constant(1, 1, x))); };
+  };
+  InData<Matrix> w = mapped(state, [&](const Matrix& x) { return at(0, x); });
+  w += InData<Matrix>(number_at(2 * n_)(Ball(1)));
   for (std::size_t l = 0; l < multiples_.size(); ++l) {
-    const Ball multiple(multiples_[l]);
-    InDatum<Ball> phase = theta;
-    for (Ball& coefficient : phase.c) {
-      coefficient *= multiple;
-    }
-    const auto [sine, cosine] = sin_cos(phase);
+    const auto [sine, cosine] = sin_cos(theta * Ball(multiples_[l]));
     const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
-    for (std::size_t i = 0; i < 4; ++i) {
-      w.c[i](k) = cosine.c[i];
-      w.c[i](k + 1) = sine.c[i];
-    }
+    w += mapped(cosine, number_at(k));
+    w += mapped(sine, number_at(k + 1));
   }
   return w;
 }

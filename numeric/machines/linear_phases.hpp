@@ -14,7 +14,7 @@
 
 #include "core/ball.hpp"
 #include "model/friction_oscillator.hpp"
-#include "numeric/machines/flows_between.hpp"
+#include "numeric/machines/in_data.hpp"
 #include "numeric/motion/motion.hpp"
 
 namespace stickslip::numeric::machines {
@@ -36,12 +36,11 @@ struct Piece {
 class LinearPhases {
  public:
   explicit LinearPhases(const model::FrictionOscillator<Ball>& oscillator);
-  // Of all machines between two, s = -1 and 1. Assumes that the drift of each piece, r and what the
-  // oscillator's functions are asked for are linear in s; on no smooth law.
-  LinearPhases(const model::FrictionOscillator<Ball>& low, const model::FrictionOscillator<Ball>& high);
-  // These two; nothing for one machine.
-  [[nodiscard]] const LinearPhases * low() const { return ends_ ? &ends_->first : nullptr; }
-  [[nodiscard]] const LinearPhases * high() const { return ends_ ? &ends_->second : nullptr; }
+  // Of all machines whose numbers are linear functions of data s_1, s_2, …, between -1 and 1, by those at the
+  // points of in_data.hpp's `through`; on no smooth law.
+  explicit LinearPhases(const std::vector<model::FrictionOscillator<Ball>>& points);
+  // These; empty for one machine.
+  [[nodiscard]] const std::vector<LinearPhases>& points() const { return points_; }
 
   [[nodiscard]] const model::FrictionOscillator<Ball>& oscillator() const { return oscillator_; }
   [[nodiscard]] Eigen::Index masses() const { return n_; }
@@ -60,12 +59,10 @@ class LinearPhases {
   [[nodiscard]] Matrix flow(Piece piece, const Ball& h) const;
   // That times w.
   [[nodiscard]] Vector after(Piece piece, const Ball& h, const Vector& w) const;
-  // For all machines between two the derivatives by s of B, and of exp(B h) for all members of h.
-  [[nodiscard]] Matrix drift_by_datum(Piece piece) const;
-  [[nodiscard]] Matrix flow_by_datum(Piece piece, const Ball& h) const;
-  // And as functions of s, all of them: w from (x, x') and theta, and exp(B h) w.
-  [[nodiscard]] InDatum<Vector> whole(const InDatum<Vector>& state, const InDatum<Ball>& theta) const;
-  [[nodiscard]] InDatum<Vector> after(Piece piece, const InDatum<Ball>& h, const InDatum<Vector>& w) const;
+  // For all machines as functions of the data: B, exp(B h), and w from (x, x') and theta.
+  [[nodiscard]] const InData<Matrix>& drift_in_data(Piece piece) const;
+  [[nodiscard]] InData<Matrix> flow(Piece piece, const InData<Ball>& h) const;
+  [[nodiscard]] InData<Matrix> whole(const InData<Matrix>& state, const InData<Ball>& theta) const;
 
   // What ends the piece, r on a stick and x_j' else, f = row w, and how its Taylor polynomials are bounded.
   // With the sizes of the numbers of w balanced by S, diagonal, and nu = |S B S⁻¹| in the norm of row sums,
@@ -98,7 +95,7 @@ class LinearPhases {
   struct Exponential {
     Ball middle;
     Matrix of_middle;
-    FlowsBetween between;  // for all machines between two
+    InData<Matrix> in_data;  // for all machines
   };
   // Of the masses that move, x'' = -A x + G u with u the rest of w, u' = Omega u: its natural frequencies,
   // and P such that x = P u is a motion.
@@ -111,13 +108,13 @@ class LinearPhases {
   [[nodiscard]] const std::optional<Modes>& modes(Piece piece) const;
   [[nodiscard]] Matrix in_closed_form(const Modes& modes, const Ball& t) const;
   [[nodiscard]] Matrix flow_at(Piece piece, const Ball& t) const;
-  [[nodiscard]] FlowsBetween flows_at(Piece piece, const Ball& t) const;
   // The one that is kept nearest to the time, or a new one.
   [[nodiscard]] const Exponential& nearest(Piece piece, const Ball& t) const;
   [[nodiscard]] const Ball& norm(Piece piece) const;
   // The largest number in the units of w.
   [[nodiscard]] Ball size_of(const Vector& w) const;
-  [[nodiscard]] Matrix make_drift(Piece piece) const;
+  // M B; row n + i without the mass i of x_i'' where it moves.
+  [[nodiscard]] Matrix forces(Piece piece) const;
   template <class M>
   [[nodiscard]] M moved(Piece piece, const Ball& h, M X) const;
   [[nodiscard]] Watch make_watch(Piece piece, bool reversed) const;
@@ -127,15 +124,19 @@ class LinearPhases {
   Eigen::Index n_, size_;
   Vector r_, units_;
   mutable std::map<Piece, Matrix> drifts_;
+  mutable std::map<Piece, InData<Matrix>> drifts_in_data_;
   mutable std::map<Piece, std::optional<Modes>> modes_;
   mutable std::map<Piece, Ball> norms_;  // of these, in the units
   mutable std::map<Piece, std::vector<Exponential>> flows_;
   mutable std::map<std::pair<Piece, bool>, Watch> watches_;
-  std::shared_ptr<const std::pair<LinearPhases, LinearPhases>> ends_;
+  std::vector<LinearPhases> points_;
 };
 
 // exp(A), by Arb.
 [[nodiscard]] Matrix exponential(const Matrix& A);
+
+// exp(A), of all members of a matrix in data.
+[[nodiscard]] InData<Matrix> exponential(const InData<Matrix>& A, const Vector& units);
 
 // S, powers of two that bring rows and columns of S B S⁻¹ to sums of one size: any S is right where one is
 // asked for, this one makes short work.

@@ -318,7 +318,9 @@ Joint joint_of(const MachineBranchQuestion& q, const MachineSample& a, const Mac
       event.t -= turns * turn;
     }
   }
-  Joint joint = joint_between(q.at, {a.value, first}, {b.value, second}, a.state);
+  const bool has_state = a.state == b.state && is_decided(a.state);
+  Joint joint = joint_between(q.at, {{a.value}, first}, {{b.value}, second},
+                              has_state ? std::optional(a.state) : std::nullopt);
   if (a.state != b.state) {
     joint.state = Verdict::undecided("the state changes");
   } else if (!is_decided(a.state)) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/machines/curve.hpp"
+#include "numeric/machines/motions_over_data.hpp"
 
 namespace stickslip::numeric::machines {
 

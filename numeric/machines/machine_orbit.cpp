@@ -35,16 +35,16 @@ std::vector<MachinePhase> phases_of(const Chain& chain, const Nodes& nodes,
 // Without a load the durations are results: a node is mapped to the next without its own, which adds nothing
 // but a multiplier 0 to those of the chain. Of all machines between two the chain's map is the narrower.
 std::optional<SquareMatrix> return_map(const Chain& chain, const ChainProof& proof) {
-  if (!chain.phases().oscillator().is_autonomous() || chain.phases().low() != nullptr) {
+  if (!chain.phases().oscillator().is_autonomous() || !chain.phases().points().empty()) {
     return proof.return_map;
   }
   std::vector<Link> links;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     links.push_back(chain.link(proof.nodes, i));
-    const Eigen::Index n = links.back().M.rows() - 1;
-    links.back().M = Matrix(links.back().M.bottomRightCorner(n, n));
+    const Eigen::Index n = links.back().M.c[0].rows() - 1;
+    links.back().M.c[0] = Matrix(links.back().M.c[0].bottomRightCorner(n, n));
   }
-  const Eigen::Index n = links.front().M.rows();
+  const Eigen::Index n = links.front().M.c[0].rows();
   const auto found = sweep(links, Nodes(links.size(), Node::Constant(n, Ball(0))));
   return found ? std::optional<SquareMatrix>(found->return_map) : std::nullopt;
 }

@@ -1,0 +1,474 @@
+#include "numeric/machines/motions_over_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <string>
+
+#include "core/interruption.hpp"
+#include "core/parallel.hpp"
+
+namespace stickslip::numeric::machines {
+
+using branches::State;
+using motion::Condition;
+using motion::StabilityKind;
+
+State state_of(const MachineOrbit& orbit) {
+  if (orbit.existence.truth != Truth::proved) {
+    return State::undecided;
+  }
+  if (std::ranges::any_of(orbit.conditions, [](const Condition& c) {
+        return c.id == "duration" && c.verdict.truth == Truth::refuted;
+      })) {
+    return State::absent;
+  }
+  if (orbit.admissible.truth != Truth::proved) {
+    return orbit.admissible.truth == Truth::refuted ? State::inadmissible : State::undecided;
+  }
+  const StabilityKind kind = orbit.stability ? orbit.stability->kind : StabilityKind::undecided;
+  return kind == StabilityKind::stable     ? State::stable
+         : kind == StabilityKind::unstable ? State::unstable
+         : kind == StabilityKind::marginal ? State::marginal
+                                           : State::admissible;
+}
+
+namespace {
+
+constexpr long bits = 64;
+// Of the way between two motions, for Newton's method.
+constexpr int most_halvings_of_way = 6;
+// How much wider than the last part that was proved one may be to be looked at.
+constexpr double most_growth = 2.5;
+
+std::vector<Rational> numbers_of(const model::FrictionOscillator<Rational>& o) {
+  std::vector<Rational> numbers;
+  (void)model::mapped<Rational>(o, [&](const Rational& x) { return numbers.emplace_back(x); });
+  return numbers;
+}
+
+bool has_smooth_law(const model::FrictionOscillator<Rational>& o) {
+  return o.forward.smooth || o.backward.smooth;
+}
+
+// Whether the loads are the same but for their sizes.
+bool have_same_loads(const model::FrictionOscillator<Rational>& a,
+                     const model::FrictionOscillator<Rational>& b) {
+  return std::ranges::equal(a.loads, b.loads, [](const auto& one, const auto& other) {
+    return one.mass == other.mass && one.k == other.k;
+  });
+}
+
+// Whether friction at rest and the first one when sliding are equal, at both sides.
+std::pair<bool, bool> drops(const model::FrictionOscillator<Rational>& o) {
+  const auto drops = [](const model::FrictionLaw<Rational>& law) {
+    return law.sliding.front().force != law.at_rest;
+  };
+  return {drops(o.forward), drops(o.backward)};
+}
+
+// Why the numbers of the machine are not known to be linear functions, by those at the points of
+// in_data.hpp's `through`. A polynomial of the second degree that agrees with a linear function there is that
+// function, and so is a quotient of two linear functions. A load's multiple that is the same there is so at
+// all, for then its frequency is the only one that varies, or all do.
+std::string why_not_linear(const std::vector<Machine>& points) {
+  const auto& middle = points.front().oscillator;
+  if (has_smooth_law(middle)) {
+    return "a smooth law of friction";
+  }
+  std::vector<std::vector<Rational>> numbers;
+  bool is_linear = true;
+  for (const Machine& point : points) {
+    const auto& o = point.oscillator;
+    numbers.push_back(numbers_of(o));
+    is_linear = is_linear && numbers.back().size() == numbers.front().size() && have_same_loads(o, middle) &&
+                drops(o) == drops(middle);
+  }
+  for (std::size_t i = 1; i < points.size() && is_linear; ++i) {
+    const auto [j, k] = monomial(i);
+    const auto& at_k = numbers[Monomial{0, k}.place()];
+    const auto& at_j = numbers[Monomial{0, j}.place()];
+    for (std::size_t l = 0; l < at_k.size() && j > 0; ++l) {
+      const Rational sum = at_k[l] + (j == k ? numbers[i][l] : at_j[l]);
+      is_linear = is_linear && sum == numbers[0][l] + (j == k ? numbers[0][l] : numbers[i][l]);
+    }
+  }
+  return is_linear ? "" : "the machine's numbers do not change linearly with the datum";
+}
+
+// A part of the box in coordinates in which the numbers are linear: the data, or their inverses.
+struct Part {
+  Values middle, half;
+  std::vector<int> halvings;
+  std::vector<std::size_t> known = {};  // places of the closed chains that are known in it
+  std::size_t near = 0;                 // and of one that may lie beside it
+
+  // s in it.
+  [[nodiscard]] Values inside(const Values& u) const {
+    Values s = u;
+    for (std::size_t k = 0; k < s.size(); ++k) {
+      s[k] = (u[k] - middle[k]) / half[k];
+    }
+    return s;
+  }
+  [[nodiscard]] bool contains(const Values& u) const {
+    return std::ranges::all_of(inside(u), [](const Rational& s) { return abs(s) <= 1; });
+  }
+  // At the points of `through`.
+  [[nodiscard]] std::vector<Values> points() const {
+    std::vector<Values> all;
+    for (std::size_t i = 0; i < monomials(middle.size()); ++i) {
+      const auto [j, k] = monomial(i);
+      Values u = middle;
+      if (j > 0 && j == k) {
+        u[k - 1] -= half[k - 1];
+      } else {
+        for (const std::size_t one : {j, k}) {
+          if (one > 0) {
+            u[one - 1] += half[one - 1];
+          }
+        }
+      }
+      all.push_back(u);
+    }
+    return all;
+  }
+  [[nodiscard]] std::pair<Part, Part> halved(std::size_t k) const {
+    Part low = *this;
+    low.half[k] /= 2;
+    ++low.halvings[k];
+    Part high = low;
+    low.middle[k] -= low.half[k];
+    high.middle[k] += low.half[k];
+    return {low, high};
+  }
+};
+
+class Search {
+ public:
+  Search(const DataBox& box, const std::vector<MotionAt>& motions, std::optional<State> state,
+         const Effort& effort)
+      : box_(box),
+        state_(state),
+        effort_(effort),
+        periods_(motions.front().guess.periods),
+        wants_state_(state.has_value()) {
+    for (const MachineGuess::Event& event : motions.front().guess.events) {
+      pieces_.push_back(event.begins);
+    }
+    find_coordinates();
+    if (!why_.empty()) {
+      return;
+    }
+    for (const MotionAt& motion : motions) {
+      const Machine machine = box_.at(motion.values);
+      known_.push_back({inverted(motion.values),
+                        prove_chain({machine, pieces_, periods_}, nodes_of(motion.guess, machine), bits, 8 * bits)});
+      if (known_.back().proof.verdict.truth != Truth::proved) {
+        why_ = known_.back().proof.verdict.reason;
+      }
+    }
+    given_ = known_.size();
+  }
+
+  [[nodiscard]] std::vector<PartOfBox> run() {
+    if (!why_.empty()) {
+      const auto open = Verdict::undecided(why_);
+      return {{box_.low, box_.high, open, open}};
+    }
+    if (const Verdict found = find_width(); found.truth != Truth::proved) {
+      return {{box_.low, box_.high, found, found}};
+    }
+    whole_.known.resize(given_);
+    std::iota(whole_.known.begin(), whole_.known.end(), 0);
+    std::vector<Done> done;
+    long looked_at = 0;
+    std::vector<Part> now{whole_}, next;
+    while (!now.empty()) {
+      const bool ends = interrupted() || looked_at >= effort_.most_parts ||
+                        (!effort_.to_the_end && gave_up_);
+      const auto found = parallel_map(now.size(), [&](std::size_t i) {
+        return ends ? Found{Verdict::undecided(interrupted() ? "interrupted" : "not looked at"), {}, {}, {}, false}
+                    : look(now[i]);
+      });
+      next.clear();
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        looked_at += found[i].looked ? 1 : 0;
+        const bool exists = found[i].existence.truth == Truth::proved;
+        const bool is_done = exists && (found[i].state.truth == Truth::proved || !wants_state_);
+        width_ = is_done ? now[i].half : width_;
+        const auto datum = ends || is_done ? std::nullopt : to_halve(now[i], found[i]);
+        if (!datum) {
+          done.push_back({now[i], found[i]});
+          gave_up_ = gave_up_ || !exists;
+          wants_state_ = wants_state_ && (effort_.to_the_end || found[i].state.truth == Truth::proved);
+          continue;
+        }
+        halve(now[i], *datum, found[i].middle, next);
+      }
+      now = next;
+    }
+    return joined(done);
+  }
+
+ private:
+  struct Found {
+    Verdict existence, state;
+    std::optional<ChainProof> middle;  // the closed chain in the middle
+    std::vector<double> changes;       // with each datum
+    bool looked = true;
+  };
+  struct Done {
+    Part part;
+    Found found;
+  };
+
+  [[nodiscard]] Values inverted(Values values) const {
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      values[k] = inverse_[k] ? Rational(1 / values[k]) : values[k];
+    }
+    return values;
+  }
+  [[nodiscard]] Machine machine_at(const Values& u) const { return box_.at(inverted(u)); }
+  [[nodiscard]] std::vector<Machine> machines_at(const std::vector<Values>& points) const {
+    std::vector<Machine> machines;
+    std::ranges::transform(points, std::back_inserter(machines), [&](const Values& u) { return machine_at(u); });
+    return machines;
+  }
+  [[nodiscard]] Part between(const Values& low, const Values& high) const {
+    Part part{low, low, std::vector<int>(low.size(), 0)};
+    for (std::size_t k = 0; k < low.size(); ++k) {
+      part.middle[k] = (low[k] + high[k]) / 2;
+      part.half[k] = abs(Rational(high[k] - low[k])) / 2;
+    }
+    return part;
+  }
+
+  // Each datum, or where that does not do its inverse.
+  void find_coordinates() {
+    inverse_.assign(box_.low.size(), false);
+    for (std::size_t k = 0; k < box_.low.size(); ++k) {
+      const auto is_linear_so = [&] {
+        Part part = between(inverted(box_.low), inverted(box_.high));
+        std::vector<Values> points(3, part.middle);
+        points[1][k] += part.half[k];
+        points[2][k] -= part.half[k];
+        return why_not_linear(machines_at(points)).empty();
+      };
+      if (!is_linear_so() && box_.low[k] * box_.high[k] > 0) {
+        inverse_[k] = true;
+        inverse_[k] = is_linear_so();
+      }
+    }
+    whole_ = between(inverted(box_.low), inverted(box_.high));
+    why_ = why_not_linear(machines_at(whole_.points()));
+  }
+
+  // How wide a part with the first motion may be. Undecided when none is narrow enough.
+  [[nodiscard]] Verdict find_width() {
+    Part part = whole_;
+    for (part.known = {0}; !interrupted();) {
+      const Found found = look(part);
+      const bool exists = found.existence.truth == Truth::proved;
+      if (exists && (width_.empty() || found.state.truth == Truth::proved)) {
+        width_ = part.half;
+      }
+      const auto datum = to_halve(part, found);
+      if (!datum || found.state.truth == Truth::proved || (exists && !wants_state_)) {
+        return width_.empty() ? found.existence : Verdict::proved();
+      }
+      const auto [low, high] = part.halved(*datum);
+      part = low.contains(known_.front().s) ? low : high;
+    }
+    return Verdict::undecided("interrupted");
+  }
+
+  [[nodiscard]] MachineQuestion question_at(const Values& u) const {
+    return {machine_at(u), pieces_, periods_};
+  }
+  // From a closed chain to the one there.
+  [[nodiscard]] std::optional<Nodes> reach(const Values& from, const Nodes& nodes, const Values& to,
+                                           int halvings) const {
+    if (const auto found = approximate_chain(question_at(to), nodes); found || halvings == 0) {
+      return found;
+    }
+    Values half = from;
+    for (std::size_t k = 0; k < half.size(); ++k) {
+      half[k] = (from[k] + to[k]) / 2;
+    }
+    const auto between = reach(from, nodes, half, halvings - 1);
+    return between ? reach(half, *between, to, halvings - 1) : std::nullopt;
+  }
+
+  [[nodiscard]] bool is_too_wide(const Part& part) const {
+    for (std::size_t k = 0; k < width_.size(); ++k) {
+      if (part.half[k] > width_[k] * Rational(most_growth)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] Found look(const Part& part) const {
+    const WorkingPrecision scope(bits);
+    const auto open = [](const std::string& why) {
+      const auto verdict = Verdict::undecided(why);
+      return Found{verdict, verdict, {}, {}, true};
+    };
+    const Known& near = known_[part.near];
+    const auto middle = reach(near.s, near.proof.nodes, part.middle, most_halvings_of_way);
+    if (!middle) {
+      return open("Newton's method leads to no closed motion from there");
+    }
+    Found found = open("not looked at");
+    found.middle = prove_chain(question_at(part.middle), *middle, bits, 8 * bits);
+    if (found.middle->verdict.truth != Truth::proved) {
+      return open(found.middle->verdict.reason);
+    }
+    if (is_too_wide(part)) {
+      found.looked = false;
+      return found;
+    }
+    const std::vector<Values> points = part.points();
+    std::vector<Nodes> at_points{*middle};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const auto nodes = reach(part.middle, *middle, points[i], most_halvings_of_way);
+      if (!nodes) {
+        return found;
+      }
+      at_points.push_back(*nodes);
+    }
+    const std::vector<Machine> machines = machines_at(points);
+    const MachineQuestion question{machines.front(), pieces_, periods_, machines};
+    const NodesInData nodes = nodes_through(at_points);
+    std::vector<Known> known;
+    for (const std::size_t i : part.known) {
+      known.push_back({part.inside(known_[i].s), known_[i].proof});
+    }
+    const ChainProof proof = prove_chains(question, nodes, known);
+    found.existence = found.state = proof.verdict;
+    if (proof.verdict.truth == Truth::proved && !state_) {
+      found.state = Verdict::undecided("not asked for");
+    } else if (proof.verdict.truth == Truth::proved && wants_state_) {
+      const bool is_so = state_of(decided(question, proof)) == *state_;
+      found.state = is_so ? Verdict::proved()
+                          : Verdict::undecided("a condition or the stability is not decided");
+    }
+    if (found.state.truth != Truth::proved) {
+      found.changes = Chain(question).changes(nodes);
+    }
+    return found;
+  }
+
+  // The datum with which most changes, of those that may still be halved.
+  [[nodiscard]] std::optional<std::size_t> to_halve(const Part& part, const Found& found) const {
+    std::optional<std::size_t> best;
+    double most = 0;
+    for (std::size_t k = 0; k < part.half.size(); ++k) {
+      const double size = !found.looked            ? Rational(part.half[k] / width_[k]).get_d()
+                          : !found.changes.empty() ? found.changes[k]
+                                                   : std::exp2(-part.halvings[k]);
+      if (part.halvings[k] < effort_.most_halvings && (!best || size > most)) {
+        best = k;
+        most = size;
+      }
+    }
+    return best;
+  }
+
+  // Both halves have the closed chain in the middle.
+  void halve(const Part& part, std::size_t datum, const std::optional<ChainProof>& middle, std::vector<Part>& into) {
+    auto [low, high] = part.halved(datum);
+    if (middle) {
+      known_.push_back({part.middle, *middle});
+    }
+    for (Part * half : {&low, &high}) {
+      std::erase_if(half->known, [&](std::size_t i) { return !half->contains(known_[i].s); });
+      if (middle) {
+        half->near = known_.size() - 1;
+        half->known.push_back(half->near);
+      }
+      into.push_back(*half);
+    }
+  }
+
+  // Parts that have no proved way to the given motions are undecided.
+  [[nodiscard]] std::vector<PartOfBox> joined(const std::vector<Done>& all) const {
+    std::vector<bool> reached(known_.size(), false), is_joined(all.size(), false);
+    std::fill_n(reached.begin(), given_, true);
+    for (bool more = true; more;) {
+      more = false;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::vector<std::size_t>& known = all[i].part.known;
+        if (is_joined[i] || all[i].found.existence.truth != Truth::proved ||
+            std::ranges::none_of(known, [&](std::size_t k) { return reached[k]; })) {
+          continue;
+        }
+        more = is_joined[i] = true;
+        for (const std::size_t k : known) {
+          reached[k] = true;
+        }
+      }
+    }
+    std::vector<PartOfBox> parts;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto& [part, found] = all[i];
+      Values low = part.middle, high = part.middle;
+      for (std::size_t k = 0; k < low.size(); ++k) {
+        low[k] -= part.half[k];
+        high[k] += part.half[k];
+        if (inverse_[k]) {
+          low[k].swap(high[k]);
+        }
+      }
+      const auto apart = Verdict::undecided("no way through parts that are proved leads there from the motion");
+      const bool is_apart = found.existence.truth == Truth::proved && !is_joined[i];
+      parts.push_back({inverted(low), inverted(high), is_apart ? apart : found.existence,
+                       is_apart ? apart : found.state});
+    }
+    return parts;
+  }
+
+  const DataBox& box_;
+  std::optional<State> state_;
+  Effort effort_;
+  long periods_;
+  std::vector<Piece> pieces_;
+  std::vector<bool> inverse_;
+  std::string why_;  // not
+  Part whole_;
+  std::vector<Known> known_;  // s being coordinates of the box
+  std::size_t given_ = 0;
+  Values width_;  // half of that of the part that was proved last
+  bool gave_up_ = false, wants_state_;
+};
+
+}  // namespace
+
+std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
+                                    std::optional<State> state, const Effort& effort) {
+  for (const MotionAt& motion : motions) {
+    if (!std::ranges::equal(motion.guess.events, motions.front().guess.events, {}, &MachineGuess::Event::begins,
+                            &MachineGuess::Event::begins)) {
+      const auto other = Verdict::undecided("the motions are not through the same phases");
+      return {{box.low, box.high, other, other}};
+    }
+  }
+  return Search(box, motions, state, effort).run();
+}
+
+Joint joint_between(const std::function<Machine(const Rational&)>& at, const MotionAt& a, const MotionAt& b,
+                    std::optional<State> state) {
+  const auto ordered = a.values < b.values ? std::pair(a.values, b.values) : std::pair(b.values, a.values);
+  const DataBox box{[&](const Values& values) { return at(values.front()); }, ordered.first, ordered.second};
+  Joint joint{Verdict::proved(), Verdict::proved()};
+  for (const PartOfBox& part : motions_over(box, {a, b}, state, {12, 1L << 13, false})) {
+    joint.existence = joint.existence.truth == Truth::proved ? part.existence : joint.existence;
+    joint.state = joint.state.truth == Truth::proved ? part.state : joint.state;
+  }
+  return joint;
+}
+
+}  // namespace stickslip::numeric::machines

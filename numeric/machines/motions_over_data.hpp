@@ -1,0 +1,70 @@
+// A periodic motion of a machine at all values of some of its data in a box: with one datum a branch between
+// two values, with more what tolerances leave of it.
+//
+// The box is halved until on each part Newton's test passes for all machines at once (chain_proof.hpp). Two
+// parts that meet have a closed chain in common, that which was proved where the box of both was halved; on
+// the side they share, which is connected, the chains of each depend continuously on the data and are single
+// zeros, so they are the same. So the motions of all parts are one family.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "numeric/branches/state.hpp"
+#include "numeric/machines/machine_orbit.hpp"
+
+namespace stickslip::numeric::machines {
+
+// What the motion is, by what is proved of it.
+[[nodiscard]] branches::State state_of(const MachineOrbit& orbit);
+
+using Values = std::vector<Rational>;  // of the data
+
+// A motion of the machine at these.
+struct MotionAt {
+  Values values;
+  MachineGuess guess;
+};
+
+struct DataBox {
+  // The machine at values of the data. Assumes that each of its numbers is a polynomial of the second degree
+  // in them or a quotient of two linear functions, and that the loads' multiples change only with one
+  // frequency among several.
+  std::function<Machine(const Values&)> at;
+  Values low, high;  // low < high
+};
+
+struct PartOfBox {
+  Values low, high;
+  // Of "at all data there is exactly one closed motion in a box that goes with the data, all of these depend
+  // continuously on the data, and are one family with those of all other parts of which that is proved and
+  // with the given motions in the part".
+  Verdict existence;
+  // Of "and each of them is in that state", where one is asked for.
+  Verdict state;
+};
+
+struct Effort {
+  int most_halvings;      // of one datum
+  long most_parts;        // that are looked at
+  bool to_the_end = true;  // else no more once existence or, where that is all that is open, the state of a part
+                          // stays undecided
+};
+
+// The parts make up the box. `motions`: of one family as far as it is known, at least one, all through the
+// same phases. Undecided where the numbers, or those at inverse values, are not linear functions of the data,
+// with smooth laws of friction, and where parts would be smaller than the effort allows.
+[[nodiscard]] std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
+                                                  std::optional<branches::State> state,
+                                                  const Effort& effort);
+
+// Of all parts.
+struct Joint {
+  Verdict existence, state;
+};
+// Between two values of one datum, in parts that are as long as proofs allow, down to 2^-12 of the way.
+[[nodiscard]] Joint joint_between(const std::function<Machine(const Rational&)>& at, const MotionAt& a,
+                                  const MotionAt& b, std::optional<branches::State> state);
+
+}  // namespace stickslip::numeric::machines

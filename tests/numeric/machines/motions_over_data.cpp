@@ -1,0 +1,542 @@
+// Motions of all machines over a box of data: polynomials, flows, conditions and links against single
+// machines in it, the sweep against single ones, and families of motions.
+#include "numeric/machines/motions_over_data.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "core/decimal.hpp"
+#include "numeric/zeros/linear_solve.hpp"
+#include "tests/numeric/machines/neighbourhoods.hpp"
+
+using namespace stickslip;
+using namespace stickslip::numeric;
+using namespace stickslip::numeric::machines;
+
+namespace {
+
+// Two masses with dashpots, friction that falls in three pieces, and a load: SI units.
+Machine engineers() {
+  Machine machine;
+  auto& o = machine.oscillator;
+  o.masses = {Rational("5/2"), Rational("4/5")};
+  o.stiffness.resize(2, 2);
+  o.stiffness << Rational(1650), Rational(-450), Rational(-450), Rational(450);
+  o.damping = model::MatrixX<Rational>::Constant(2, 2, Rational(0));
+  o.damping(0, 0) = Rational("3/5");
+  o.rubbing = 1;
+  o.V = Rational("1/20");
+  o.forward = {Rational("27/2"),
+               {{Rational(0), Rational(9), Rational(-30)},
+                {Rational("1/20"), Rational("15/2"), Rational(-6)},
+                {Rational("3/10"), Rational(6), Rational(0)}}};
+  o.backward = o.forward;
+  o.loads = {{1, 1, Rational(12), Rational(0)}};
+  o.omega = Rational("18/5");
+  machine.in_turns = true;
+  return machine;
+}
+
+// A number of a machine, set.
+struct Datum {
+  const char * name;
+  Rational value;
+  std::function<void(model::FrictionOscillator<Rational>&, const Rational&)> set;
+};
+std::vector<Datum> data() {
+  return {
+      {"frequency", Rational("18/5"), [](auto& o, const Rational& x) { o.omega = x; }},
+      {"belt", Rational("1/20"), [](auto& o, const Rational& x) { o.V = x; }},
+      {"spring", Rational(450),
+       [](auto& o, const Rational& x) { o.stiffness << Rational(1200 + x), Rational(-x), Rational(-x), x; }},
+      {"dashpot", Rational("3/5"), [](auto& o, const Rational& x) { o.damping(0, 0) = x; }},
+      {"mass", Rational("4/5"), [](auto& o, const Rational& x) { o.masses[1] = x; }},
+      {"at rest", Rational("27/2"),
+       [](auto& o, const Rational& x) { o.forward.at_rest = o.backward.at_rest = x; }},
+      {"load", Rational(12), [](auto& o, const Rational& x) { o.loads[0].cosine = x; }},
+      {"sliding friction", Rational("15/2"), [](auto& o, const Rational& x) {
+         for (auto * law : {&o.forward, &o.backward}) {
+           law->sliding[0].slope = Rational((x - 9) * 20);
+           law->sliding[1].force = x;
+           law->sliding[1].slope = Rational((6 - x) * 4);
+         }
+       }}};
+}
+
+Machine with(const Datum& datum, const Rational& value) {
+  Machine machine = engineers();
+  datum.set(machine.oscillator, value);
+  return machine;
+}
+
+// Data, each half as wide as a share of its value.
+struct Box {
+  std::vector<Datum> of;
+  Rational share;
+
+  [[nodiscard]] Machine at(const std::vector<Rational>& s) const {
+    Machine machine = engineers();
+    for (std::size_t k = 0; k < of.size(); ++k) {
+      of[k].set(machine.oscillator, Rational(of[k].value * (1 + share * s[k])));
+    }
+    return machine;
+  }
+  // At the points of `through`, in their order for one datum and for two.
+  [[nodiscard]] std::vector<Machine> points() const {
+    const std::vector<std::vector<Rational>> s =
+        of.size() == 1 ? std::vector<std::vector<Rational>>{{0}, {1}, {-1}}
+                       : std::vector<std::vector<Rational>>{{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {1, 1}, {0, -1}};
+    std::vector<Machine> machines;
+    std::ranges::transform(s, std::back_inserter(machines), [&](const auto& values) { return at(values); });
+    return machines;
+  }
+  [[nodiscard]] std::vector<std::vector<Rational>> some_inside() const {
+    return of.size() == 1 ? std::vector<std::vector<Rational>>{{-1}, {Rational("-7/11")}, {0}, {Rational("1/5")}, {1}}
+                          : std::vector<std::vector<Rational>>{
+                                {-1, 1}, {Rational("-7/11"), Rational("1/3")}, {1, -1}, {-1, -1}, {0, Rational("1/5")}};
+  }
+};
+// One by one, and some two of them.
+std::vector<Box> boxes(const char * share) {
+  std::vector<Box> all;
+  for (const Datum& datum : data()) {
+    all.push_back({{datum}, parse_rational(share)});
+  }
+  for (const auto& [i, k] : {std::pair{1, 4}, {2, 4}, {0, 7}, {3, 5}}) {
+    all.push_back({{data()[static_cast<std::size_t>(i)], data()[static_cast<std::size_t>(k)]}, parse_rational(share)});
+  }
+  return all;
+}
+
+std::vector<Ball> balls(const std::vector<Rational>& s) {
+  return {s.begin(), s.end()};
+}
+
+MachineOrbit orbit_of(const Machine& machine) {
+  Eigen::VectorXd start(4);
+  start << 0.0, 0.0, 0.0, 0.0;
+  return prove_machine_orbit(machine, settle(machine, start).guess);
+}
+
+Nodes at(const NodesInData& nodes, const std::vector<Rational>& s) {
+  Nodes result;
+  std::ranges::transform(nodes, std::back_inserter(result),
+                         [&](const auto& node) { return Node(node.at(balls(s))); });
+  return result;
+}
+
+void check_contains(const Matrix& all, const Matrix& one) {
+  for (Eigen::Index i = 0; i < one.size(); ++i) {
+    CHECK(all.data()[i].is_finite());
+    CHECK(all.data()[i].overlaps(one.data()[i]));
+  }
+}
+
+double widest(const Matrix& A) {
+  double most = 0;
+  for (Eigen::Index i = 0; i < A.size(); ++i) {
+    most = std::max(most, A.data()[i].radius().approximate());
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("polynomials in data contain the functions, and leave out what is of the third order") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    const std::size_t count = 1 + static_cast<std::size_t>(round) % 3;
+    const double size = std::exp2(-round % 8 - 2);
+    const auto some = [&](std::size_t data) {
+      std::vector<Ball> c(monomials(data));
+      for (Ball& coefficient : c) {
+        coefficient = Ball(size * number(random));
+      }
+      c[0] = Ball(3 + number(random));
+      return InData<Ball>(c);
+    };
+    // One of fewer data is one of more.
+    const InData<Ball> f = some(count), g = some(round % 2 == 0 ? 1 : count), product = f * g;
+    const auto [sine, cosine] = sin_cos(f);
+    const InData<Ball> inverse = reciprocal(f);
+    for (int point = 0; point < 12; ++point) {
+      std::vector<Ball> s;
+      for (std::size_t k = 0; k < count; ++k) {
+        s.emplace_back(point < 8 ? ((point >> k) % 2 == 0 ? -1.0 : 1.0) : number(random));
+      }
+      const Ball x = f.at(s);
+      const auto [sine_there, cosine_there] = sin_cos(x);
+      CHECK(sine.at(s).overlaps(sine_there));
+      CHECK(cosine.at(s).overlaps(cosine_there));
+      CHECK(product.at(s).overlaps(Ball(x * g.at(s))));
+      CHECK(inverse.at(s).overlaps(Ball(Ball(1) / x)));
+      CHECK(f.all().contains(x));
+      CHECK(sine.all().overlaps(sine_there));
+    }
+    // Of the second order in the product, of the first in the others; 10 monomials at most.
+    for (const InData<Ball> * one : {&product, &sine, &cosine, &inverse}) {
+      CHECK(one->rest.radius().approximate() <= 1000 * size * size * size + 400 * size * size + 1e-18);
+    }
+    std::vector<Ball> line(monomials(count));
+    line[0] = Ball(3);
+    line[1] = Ball(size);
+    for (const InData<Ball>& one :
+         {InData<Ball>(line) * InData<Ball>(line), sin_cos(InData<Ball>(line)).first, reciprocal(InData<Ball>(line))}) {
+      CHECK(one.rest.radius().approximate() <= size * size * size);
+    }
+  }
+  CHECK_FALSE(reciprocal(InData<Ball>({Ball(1), Ball(-1), Ball(0)})).rest.is_finite());
+}
+
+TEST_CASE("the polynomial through values is that of the second degree") {
+  const auto f = [](double a, double b, double c) {
+    return Ball(3 - a + 2 * b + 5 * c + a * a - b * b + 0.5 * a * b - 7 * b * c + 0.25 * a * c);
+  };
+  const InData<Ball> found = through<Ball>({f(0, 0, 0), f(1, 0, 0), f(-1, 0, 0), f(0, 1, 0), f(1, 1, 0), f(0, -1, 0),
+                                            f(0, 0, 1), f(1, 0, 1), f(0, 1, 1), f(0, 0, -1)});
+  CHECK(found.c.size() == monomials(3));
+  for (const auto& [a, b, c] : {std::tuple{-1.0, -1.0, 1.0}, {0.5, -0.25, 1.0}, {-1.0, 1.0, 1.0}, {0.0, 0.75, -1.0}}) {
+    CHECK(found.at({Ball(a), Ball(b), Ball(c)}).contains(f(a, b, c)));
+  }
+  CHECK(found.rest.radius().approximate() < 1e-15);
+}
+
+TEST_CASE("flows in data contain each one's, and leave out what is of the third order") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int round = 0; round < 12; ++round) {
+    const double size = std::exp2(-3 * (round % 4));
+    const auto some = [&](double most) {
+      Matrix A(5, 5);
+      for (Ball& entry : A.reshaped()) {
+        entry = Ball(most * number(random));
+      }
+      return A;
+    };
+    const Ball t(round % 3 == 0 ? -1.5 : 4.0 / (1 + round));
+    const Matrix B0 = some(1), B1 = some(size), B2 = some(size);
+    const auto flow = [&](double share) {
+      return exponential(InData<Matrix>({B0 * t, B1 * Ball(t * Ball(share)), {}, B2 * Ball(t * Ball(share))}),
+                         balance(B0).cwiseInverse());
+    };
+    const InData<Matrix> E = flow(1);
+    for (const auto& [a, b] : {std::pair{-1.0, -1.0}, {-0.6, 1.0}, {0.0, 0.0}, {1.0, 0.3}, {1.0, -1.0}}) {
+      const Matrix one = exponential(Matrix(Matrix(B0 + B1 * Ball(a) + B2 * Ball(b)) * t));
+      check_contains(E.at({Ball(a), Ball(b)}), one);
+      check_contains(E.all(), one);
+    }
+    CHECK(widest(E.c[0]) < 1e-15);
+    CHECK(widest(flow(0.125).rest) < widest(E.rest) / 200);
+  }
+}
+
+TEST_CASE("what machines do over data contains what each of them does") {
+  const MachineOrbit orbit = orbit_of(engineers());
+  REQUIRE(orbit.existence.truth == Truth::proved);
+  const Nodes m = midpoints(nodes_of(guess_of(orbit, engineers()), engineers()));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const Box& box : boxes("1/4096")) {
+    CAPTURE(box.of.front().name);
+    CAPTURE(box.of.back().name);
+    const Chain all({box.at({0, 0}), orbit.pieces, orbit.periods, box.points()});
+    NodesInData nodes;
+    for (const Node& u : m) {
+      nodes.emplace_back(Matrix(u));
+      for (std::size_t i = 1; i < monomials(box.of.size()); ++i) {
+        nodes.back().c.emplace_back(
+            u.unaryExpr([&](const Ball& x) { return Ball(Ball(0x1p-14 * number(random)) * abs(x)); }));
+      }
+    }
+    NodesInData wide = nodes;
+    for (InData<Matrix>& node : wide) {
+      node.rest = Matrix::Constant(4, 1, Ball::hull(Ball(-0x1p-20), Ball(0x1p-20)));
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Node conditions = all.conditions(nodes, i);
+      const Link link = all.link(nodes, i), of_wide = all.link(wide, i);
+      for (const std::vector<Rational>& s : box.some_inside()) {
+        const Chain one({box.at(s), orbit.pieces, orbit.periods});
+        const Nodes there = at(nodes, s);
+        Nodes beside = there;
+        for (Node& u : beside) {
+          u = u.unaryExpr([&](const Ball& x) { return Ball(x + Ball(0x1p-20 * number(random))); });
+        }
+        check_contains(conditions, one.conditions(there, i));
+        const Link single = one.link(there, i);
+        check_contains(link.M.at(balls(s)), single.M.c[0]);
+        check_contains(link.M.all(), single.M.c[0]);
+        check_contains(of_wide.M.at(balls(s)), one.link(beside, i).M.c[0]);
+        check_contains(link.end_velocity, single.end_velocity);
+        CHECK(link.rate.overlaps(single.rate));
+      }
+      // What is left is smaller than what changes.
+      CHECK(widest(link.M.rest) < 0.2 * widest(Matrix(link.M.all() - link.M.c[0])));
+    }
+  }
+}
+
+TEST_CASE("a sweep whose links change contains those of single links") {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int round = 0; round < 10; ++round) {
+    std::vector<Link> links(3 + static_cast<std::size_t>(round));
+    Nodes g;
+    const auto matrix = [&](double size) {
+      return Matrix(Matrix::Constant(4, 4, Ball(0)).unaryExpr([&](const Ball&) {
+        return Ball(size * number(random));
+      }));
+    };
+    for (Link& link : links) {
+      link.M = InData<Matrix>({matrix(1), matrix(1e-3), {}, matrix(1e-3)});
+      g.push_back(Node(matrix(1).col(0)));
+    }
+    const auto found = sweep(links, g);
+    REQUIRE(found);
+    for (const auto& [a, b] : {std::pair{-1.0, 1.0}, {-0.4, -1.0}, {0.2, 0.0}, {1.0, 1.0}}) {
+      std::vector<Link> one = links;
+      for (Link& link : one) {
+        link.M = InData<Matrix>(link.M.at({Ball(a), Ball(b)}));
+      }
+      const auto single = sweep(one, g);
+      REQUIRE(single);
+      for (std::size_t i = 0; i < links.size(); ++i) {
+        check_contains(found->deviations[i], single->deviations[i]);
+      }
+    }
+  }
+}
+
+TEST_CASE("the cube of s in a product of links is in its return map") {
+  Link link;
+  link.M = InData<Matrix>({Matrix::Constant(1, 1, Ball(2)), Matrix::Constant(1, 1, Ball(0.5)), {}});
+  const auto found = sweep(std::vector<Link>(3, link), Nodes(3, Node::Constant(1, Ball(1))));
+  REQUIRE(found);
+  CHECK(found->return_map(0, 0).overlaps(Ball(2.5 * 2.5 * 2.5)));
+  CHECK(found->return_map(0, 0).overlaps(Ball(1.5 * 1.5 * 1.5)));
+  CHECK_FALSE(found->return_map(0, 0).overlaps(Ball(18)));
+}
+
+TEST_CASE("motions of machines over data lie among those that are proved") {
+  const MachineOrbit orbit = orbit_of(engineers());
+  REQUIRE(orbit.admissible.truth == Truth::proved);
+  for (const Box& box : boxes("1/50000")) {
+    CAPTURE(box.of.front().name);
+    CAPTURE(box.of.back().name);
+    const auto proof_at = [&](const Machine& machine) {
+      return prove_chain({machine, orbit.pieces, orbit.periods}, nodes_of(guess_of(orbit, machine), machine),
+                         128, 512);
+    };
+    const std::vector<Machine> points = box.points();
+    std::vector<Nodes> at_points;
+    for (const Machine& machine : points) {
+      at_points.push_back(midpoints(proof_at(machine).nodes));
+    }
+    const MachineQuestion question{points.front(), orbit.pieces, orbit.periods, points};
+    const std::vector<Rational> corner(box.of.size(), Rational(-1));
+    Known known{corner, proof_at(box.at(corner))};
+    const NodesInData nodes = nodes_through(at_points);
+    const WorkingPrecision scope(64);
+    const ChainProof all = prove_chains(question, nodes, {known});
+    CAPTURE(all.verdict.reason);
+    REQUIRE(all.verdict.truth == Truth::proved);
+    for (const std::vector<Rational>& s : box.some_inside()) {
+      const ChainProof one = proof_at(box.at(s));
+      REQUIRE(one.verdict.truth == Truth::proved);
+      for (std::size_t i = 0; i < one.nodes.size(); ++i) {
+        check_contains(all.nodes[i], one.nodes[i]);
+      }
+      const Ball trace = all.return_map.trace(), of_one = one.return_map.trace();
+      CHECK(trace.overlaps(of_one));
+      CHECK(trace.radius().approximate() < 0.05);
+    }
+    CHECK(state_of(decided(question, all)) == branches::State::stable);
+    // A closed chain that is known elsewhere is not one of them.
+    known.s.front() = Rational("1/2");
+    CHECK(prove_chains(question, nodes, {known}).verdict.truth == Truth::undecided);
+  }
+}
+
+TEST_CASE("without a load a state is decided on as long a curve as is proved") {
+  Machine brake = engineers();
+  auto& o = brake.oscillator;
+  o.masses = {Rational("3/5"), Rational("9/5")};
+  o.stiffness << Rational(2400000), Rational(-2400000), Rational(-2400000), Rational(7400000);
+  o.damping << Rational(200), Rational(-200), Rational(-200), Rational(600);
+  o.rubbing = 0;
+  o.V = Rational("3/25");
+  o.forward = {Rational(1500),
+               {{Rational(0), Rational(1400), Rational(-4000)},
+                {Rational("1/20"), Rational(1200), Rational(-1000)},
+                {Rational("1/5"), Rational(1050), Rational(-125)},
+                {Rational("3/5"), Rational(1000), Rational(0)}}};
+  o.backward = o.forward;
+  o.loads.clear();
+  const MachineOrbit orbit = orbit_of(brake);
+  REQUIRE(orbit.stability);
+  CHECK(orbit.stability->kind == motion::StabilityKind::stable);
+  const auto at = [&](const char * V) {
+    Machine other = brake;
+    other.oscillator.V = parse_rational(V);
+    return other;
+  };
+  const auto proof_of = [&](const Machine& machine) {
+    return prove_chain({machine, orbit.pieces, orbit.periods}, nodes_of(guess_of(orbit, machine), machine),
+                       64, 512);
+  };
+  const MachineQuestion question{
+      brake, orbit.pieces, orbit.periods, {at("0.12"), at("0.12004"), at("0.11996")}};
+  std::vector<Nodes> at_points;
+  for (const Machine& machine : question.points) {
+    at_points.push_back(midpoints(proof_of(machine).nodes));
+  }
+  const WorkingPrecision scope(64);
+  const ChainProof curve = prove_chains(question, nodes_through(at_points), {});
+  REQUIRE(curve.verdict.truth == Truth::proved);
+  CHECK(state_of(decided(question, curve)) == branches::State::stable);
+}
+
+TEST_CASE("a state that is lost between is not said of all, nor is what is not linear joined") {
+  const MachineOrbit orbit = orbit_of(engineers());
+  const Machine machine = engineers();
+  const auto joint = [&](const auto& at, const Rational& a, const Rational& b) {
+    const auto end = [&](const Rational& x) {
+      return MotionAt{{x}, guess_of(prove_machine_orbit(at(x), guess_of(orbit, machine)), at(x))};
+    };
+    return joint_between(at, end(a), end(b), branches::State::stable);
+  };
+  const auto frequency = [](const Rational& x) {
+    Machine other = engineers();
+    other.oscillator.omega = x;
+    return other;
+  };
+  // Below 3.5878224 r reaches ur while it sticks: the closed motion is still there.
+  const Joint across = joint(frequency, parse_rational("3587822/1000000"), parse_rational("3587823/1000000"));
+  CAPTURE(across.existence.reason);
+  CHECK(across.existence.truth == Truth::proved);
+  CHECK(across.state.truth == Truth::undecided);
+  const Joint inside = joint(frequency, parse_rational("3587823/1000000"), parse_rational("3587824/1000000"));
+  CAPTURE(inside.existence.reason);
+  CHECK(inside.existence.truth == Truth::proved);
+  CHECK(inside.state.truth == Truth::proved);
+
+  const auto refused = [&](const char * what, const auto& at, const Rational& a, const Rational& b,
+                           const char * why) {
+    CAPTURE(what);
+    const Joint found = joint(at, a, b);
+    CHECK(found.existence.truth == Truth::undecided);
+    CHECK(found.existence.reason.find(why) != std::string::npos);
+    CHECK(found.state.truth == Truth::undecided);
+  };
+  const Rational low = parse_rational("3.59999"), high = parse_rational("3.60001");
+  refused(
+      "a square", [&](const Rational& x) { return frequency(Rational(x * x * 5 / 18)); }, low, high,
+      "do not change linearly");
+  refused(
+      "the velocity at which a piece begins",
+      [&](const Rational& x) {
+        Machine other = engineers();
+        for (auto * law : {&other.oscillator.forward, &other.oscillator.backward}) {
+          law->sliding[1].from = Rational(x / 72);
+          law->sliding[0].slope = Rational(Rational("-3/2") * 72 / x);
+          law->sliding[1].slope = Rational(Rational("-3/2") / (Rational("3/10") - x / 72));
+        }
+        return other;
+      },
+      low, high, "do not change linearly");
+  refused(
+      "a mass and a spring",
+      [&](const Rational& x) {
+        Machine other = engineers();
+        other.oscillator.masses[0] = Rational(9 / x);
+        other.oscillator.stiffness(0, 0) = Rational(1650 * x * 5 / 18);
+        return other;
+      },
+      low, high, "do not change linearly");
+  refused(
+      "another multiple of the load",
+      [&](const Rational& x) {
+        Machine other = engineers();
+        other.oscillator.loads.push_back({0, x > Rational("18/5") ? 3 : 2, Rational(0), Rational(0)});
+        return other;
+      },
+      low, high, "do not change linearly");
+}
+
+TEST_CASE("a box of two data is proved in parts that make it up, and is what single machines say") {
+  const MachineOrbit orbit = orbit_of(engineers());
+  const MachineGuess guess = guess_of(orbit, engineers());
+  const Datum belt = data()[1], mass = data()[4];
+  const auto at = [&](const Values& values) {
+    Machine machine = with(belt, values[0]);
+    mass.set(machine.oscillator, values[1]);
+    return machine;
+  };
+  const auto about = [](const Rational& value, const char * share) {
+    const Rational half = value * parse_rational(share);
+    return std::pair(Rational(value - half), Rational(value + half));
+  };
+  const auto [low_belt, high_belt] = about(belt.value, "4e-3");
+  const auto [low_mass, high_mass] = about(mass.value, "1e-3");
+  const DataBox box{at, {low_belt, low_mass}, {high_belt, high_mass}};
+  const std::vector<MotionAt> motions{{{belt.value, mass.value}, guess}};
+  const auto parts = motions_over(box, motions, branches::State::stable, {12, 1000});
+  CHECK(parts.size() > 1);
+  Rational area = 0;
+  std::mt19937 random(3);
+  std::uniform_int_distribution<long> number(0, 1000);
+  for (const PartOfBox& part : parts) {
+    CAPTURE(part.existence.reason);
+    CHECK(part.existence.truth == Truth::proved);
+    CAPTURE(part.state.reason);
+    CHECK(part.state.truth == Truth::proved);
+    area += (part.high[0] - part.low[0]) * (part.high[1] - part.low[1]);
+    Values inside = part.low;
+    for (std::size_t k = 0; k < 2; ++k) {
+      inside[k] += (part.high[k] - part.low[k]) * number(random) / 1000;
+    }
+    CHECK(state_of(prove_machine_orbit(at(inside), guess)) == branches::State::stable);
+  }
+  CHECK(area == (high_belt - low_belt) * (high_mass - low_mass));
+
+  // Neither is said where the effort ends before, nor where it is another state.
+  for (const PartOfBox& part : motions_over(box, motions, branches::State::stable, {12, 0})) {
+    CHECK(part.existence.truth == Truth::undecided);
+  }
+  for (const PartOfBox& part : motions_over(box, motions, branches::State::unstable, {1, 100})) {
+    CHECK(part.state.truth == Truth::undecided);
+  }
+}
+
+TEST_CASE("part of a box of data is proved where the motion is another beyond") {
+  const MachineOrbit orbit = orbit_of(engineers());
+  const Datum frequency = data()[0], dashpot = data()[3];
+  const auto at = [&](const Values& values) {
+    Machine machine = with(frequency, values[0]);
+    dashpot.set(machine.oscillator, values[1]);
+    return machine;
+  };
+  // Below 3.5878224, where the dashpot is as it is, r reaches ur while it sticks.
+  const Values start{parse_rational("3.588"), dashpot.value};
+  const DataBox box{at, {parse_rational("3.5876"), Rational(dashpot.value * Rational("999/1000"))},
+                    {parse_rational("3.5882"), Rational(dashpot.value * Rational("1001/1000"))}};
+  const MachineOrbit there = prove_machine_orbit(at(start), guess_of(orbit, engineers()));
+  REQUIRE(state_of(there) == branches::State::stable);
+  const auto parts =
+      motions_over(box, {{start, guess_of(there, at(start))}}, branches::State::stable, {6, 400});
+  Rational proved = 0, whole = 0;
+  for (const PartOfBox& part : parts) {
+    const Rational area = (part.high[0] - part.low[0]) * (part.high[1] - part.low[1]);
+    whole += area;
+    CHECK(part.existence.truth == Truth::proved);
+    if (part.state.truth == Truth::proved) {
+      proved += area;
+      CHECK(part.low[0] > parse_rational("3.5877"));
+    }
+  }
+  CHECK(proved > whole / 4);
+  CHECK(proved < whole * 3 / 4);
+}
