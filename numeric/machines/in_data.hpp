@@ -58,12 +58,15 @@ struct Monomial {
 
 template <class M>
 struct InData {
-  std::vector<M> c;
-  M rest{};  // for each s some member of it is left
+  std::vector<M> c;  // of all monomials of some data
+  M rest{};          // for each s some member of it is left
 
   InData() = default;
   explicit InData(const M& constant) : c{constant} {}
-  explicit InData(std::vector<M> coefficients) : c(std::move(coefficients)) {}
+  // The last ones may be left out.
+  explicit InData(std::vector<M> coefficients) : c(std::move(coefficients)) {
+    c.resize(monomials(monomial(c.size() - 1).k));
+  }
 
   // The sum of the parts of these degrees, for all s.
   [[nodiscard]] M part(std::size_t lowest, std::size_t highest) const {

@@ -157,6 +157,29 @@ std::array<double, 4> Watched::guess_at(double s, std::size_t derivative) const 
   return result;
 }
 
+// What the terms leave out is 0 at 0, too: divided by s it is a mean of its derivative.
+std::optional<std::array<Ball, 3>> Watched::quotient_at(double s, std::size_t derivative) const {
+  if (watch_ == nullptr || !(s > 0) || !(s <= watch_->length)) {
+    return std::nullopt;
+  }
+  const Stretch& here = stretch(0);
+  std::array<Ball, 3> d;
+  for (std::size_t m = here.terms.size(); m-- > derivative + 1;) {
+    Ball term = here.terms[m];
+    for (std::size_t i = 0; i < derivative; ++i) {
+      term *= Ball(static_cast<long>(m - i));
+    }
+    d[2] = d[2] * Ball(s) + d[1];
+    d[1] = d[1] * Ball(s) + d[0];
+    d[0] = d[0] * Ball(s) + term;
+  }
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    const Ball most = here.rest[derivative + i + 1] / Ball(static_cast<long>(i + 1));
+    d[i] = d[i] * Ball(factorial[i]) + Ball::hull(-most, most);
+  }
+  return d;
+}
+
 motion::DerivativeBounds Watched::bounds(std::size_t derivative) const {
   motion::DerivativeBounds unknown;
   arb_indeterminate(unknown.third.raw());
@@ -210,6 +233,15 @@ std::array<double, 4> AffineCourse::guess_at(double s) const {
   }
   d[0] += offset_.approximate();
   return d;
+}
+
+std::array<Ball, 3> AffineCourse::quotient_at(double s) const {
+  const bool is_whole = view_.origin == 0 && view_.direction == 1;
+  auto d = is_whole ? f_.quotient_at(s, view_.derivative) : std::nullopt;
+  for (std::size_t i = 0; d && i < d->size(); ++i) {
+    d->at(i) *= Ball(sign_);
+  }
+  return d ? *d : Course::quotient_at(s);
 }
 
 using motion::Condition;

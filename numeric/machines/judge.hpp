@@ -24,6 +24,9 @@ class Watched {
   // The derivative of that order of f, and the next three, at s; not finite outside.
   [[nodiscard]] std::array<Ball, 4> at(const Ball& s, std::size_t derivative = 0) const;
   [[nodiscard]] std::array<double, 4> guess_at(double s, std::size_t derivative = 0) const;
+  // Of (f - f(0))/s, f that derivative, itself and its first two derivatives; nothing beyond the first stretch
+  // and on a smooth law.
+  [[nodiscard]] std::optional<std::array<Ball, 3>> quotient_at(double s, std::size_t derivative) const;
   // Of its third and fourth over [0, T].
   [[nodiscard]] motion::DerivativeBounds bounds(std::size_t derivative = 0) const;
   // Of which there are bounds.
@@ -64,6 +67,7 @@ class AffineCourse : public motion::Course {
       : f_(f), sign_(sign), offset_(view.derivative == 0 ? offset : Ball(0)), view_(view) {}
   [[nodiscard]] std::array<Ball, 4> at(double s) const override;
   [[nodiscard]] std::array<double, 4> guess_at(double s) const override;
+  [[nodiscard]] std::array<Ball, 3> quotient_at(double s) const override;
 
  private:
   const Watched& f_;

@@ -75,6 +75,10 @@ Wave<double> approximate(const Wave<Ball>& g) {
 }  // namespace
 
 Taylor<Ball> Piece::at(double s) const {
+  if (weighted && s > 0) {
+    const auto k = side->g->quotient_at(s);
+    return {k[0], k[1], k[2]};
+  }
   return quotient<Ball>(side->g->at(s), weighted, s);
 }
 
@@ -126,6 +130,11 @@ Guess sampled_minimum(const Piece& piece) {
 namespace stickslip::numeric::motion {
 
 using namespace pieces;
+
+std::array<Ball, 3> Course::quotient_at(double s) const {
+  const Taylor<Ball> k = quotient<Ball>(at(s), true, s);
+  return {k.value, k.slope, k.curvature};
+}
 
 WaveCourse::WaveCourse(const Wave<Ball>& g) : g_(g), guess_(approximate(g)) {}
 

@@ -18,6 +18,9 @@ class Course {
   [[nodiscard]] virtual std::array<Ball, 4> at(double s) const = 0;
   // The same in floating point: only a guess.
   [[nodiscard]] virtual std::array<double, 4> guess_at(double s) const = 0;
+  // g/s and its first two derivatives at s > 0, where g(0) = 0 for each member of g: those that know how g
+  // begins need not divide a wide ball by a small s.
+  [[nodiscard]] virtual std::array<Ball, 3> quotient_at(double s) const;
 };
 
 // Bounds of |g'''| and |g''''| over the whole phase.

@@ -104,7 +104,7 @@ TEST_CASE("a link is the derivative of the next node by this one: against differ
         for (int k = 0; k < 4; ++k) {
           Nodes moved = at;
           moved[i](k) += step;
-          moved[i + 1] += there.M.col(k) * step;
+          moved[i + 1] += there.M.c[0].col(k) * step;
           const Node F1 = chain.conditions(moved, i);
           CHECK(difference(F1, F0) < 1e-55);
         }
@@ -129,14 +129,15 @@ TEST_CASE("a sweep solves its equations, and its return map has the eigenvalues 
     Nodes g;
     model::Matrix4<Ball> product = model::Matrix4<Ball>::Identity();
     for (Link& link : links) {
-      link.M.resize(4, 4);
-      link.M = link.M.unaryExpr([&](const Ball&) { return Ball(number(random)); });
+      Matrix M(4, 4);
+      M = M.unaryExpr([&](const Ball&) { return Ball(number(random)); });
       if (round % 3 == 0) {
-        link.M.col(1) = link.M.col(0) * Ball(2);  // collapses a direction
+        M.col(1) = M.col(0) * Ball(2);  // collapses a direction
       }
+      link.M = InData<Matrix>(M);
       g.push_back(
           node(Ball(number(random)), Ball(number(random)), Ball(number(random)), Ball(number(random))));
-      product = model::Matrix4<Ball>(link.M) * product;
+      product = model::Matrix4<Ball>(M) * product;
     }
     const auto found = sweep(links, g);
     REQUIRE(found);
@@ -149,7 +150,7 @@ TEST_CASE("a sweep solves its equations, and its return map has the eigenvalues 
     CHECK(trace.overlaps(trace_of_product));
     CHECK((trace.radius() - Ball(1e-25)).is_negative());
     for (std::size_t i = 0; i < count; ++i) {
-      const Node next = zeros::product(links[i].M, found->deviations[i]) + g[i];
+      const Node next = zeros::product(links[i].M.c[0], found->deviations[i]) + g[i];
       for (int j = 0; j < 4; ++j) {
         CHECK(next(j).overlaps(found->deviations[(i + 1) % count](j)));
         CHECK((next(j).radius() - Ball(1e-20)).is_negative());
@@ -161,7 +162,7 @@ TEST_CASE("a sweep solves its equations, and its return map has the eigenvalues 
 TEST_CASE("a sweep round a chain with the multiplier 1 finds nothing") {
   std::vector<Link> links(3);
   for (Link& link : links) {
-    link.M = model::MatrixX<Ball>::Identity(4, 4);
+    link.M = InData<Matrix>(Matrix::Identity(4, 4));
   }
   CHECK_FALSE(sweep(links, Nodes(3, Node::Constant(4, Ball(1)))));
 }
