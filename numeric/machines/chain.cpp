@@ -72,19 +72,16 @@ Chain::Chain(const MachineQuestion& question)
     return;
   }
   std::ranges::transform(question.points, std::back_inserter(speeds_at_points_), speeds_of);
-  const auto of_points = [&](const auto& value) {
-    std::vector<Ball> values;
-    for (std::size_t p = 0; p < question.points.size(); ++p) {
-      values.push_back(value(p));
-    }
-    return through(values);
-  };
   for (std::size_t i = 0; i < size(); ++i) {
-    speeds_in_data_.push_back(of_points([&](std::size_t p) { return speeds_at_points_[p][i]; }));
+    std::vector<Ball> values;
+    for (const std::vector<Ball>& at_point : speeds_at_points_) {
+      values.push_back(at_point[i]);
+    }
+    speeds_in_data_.push_back(through(values));
     speeds_.push_back(speeds_in_data_.back().all());
   }
   if (!autonomous_) {
-    omega_in_data_ = of_points([&](std::size_t p) { return phases_.points()[p].oscillator().omega; });
+    omega_in_data_ = phases_.number([](const auto& one) { return one.omega; });
     turn_in_data_ = reciprocal(omega_in_data_) * (Ball(2 * question.periods) * Ball::pi());
   }
 }
@@ -130,10 +127,6 @@ Vector Chain::without(const Vector& state) const {
 
 Vector Chain::beginning(const Nodes& nodes, std::size_t i) const {
   return phases_.whole(state(nodes, i), phases_.oscillator().omega * nodes[i](0));
-}
-
-Vector Chain::end(const Nodes& nodes, std::size_t i) const {
-  return beginning(nodes, (i + 1) % size());
 }
 
 Vector Chain::event(std::size_t i) const {

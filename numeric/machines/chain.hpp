@@ -72,6 +72,7 @@ class Chain {
   // For all machines the same as functions of the data.
   [[nodiscard]] Node conditions(const NodesInData& nodes, std::size_t i) const;
   [[nodiscard]] Link link(const NodesInData& nodes, std::size_t i) const;
+  [[nodiscard]] InData<Matrix> beginning(const NodesInData& nodes, std::size_t i) const;
   // How much theta, the duration and w change along the phases with each datum, in units of w and of what
   // grows in a time.
   [[nodiscard]] std::vector<double> changes(const NodesInData& nodes) const;
@@ -79,9 +80,8 @@ class Chain {
   [[nodiscard]] const LinearPhases& phases() const { return phases_; }
   // (x, x') at node i.
   [[nodiscard]] Vector state(const Nodes& nodes, std::size_t i) const;
-  // w there, and where phase i ends.
+  // w there.
   [[nodiscard]] Vector beginning(const Nodes& nodes, std::size_t i) const;
-  [[nodiscard]] Vector end(const Nodes& nodes, std::size_t i) const;
   [[nodiscard]] Ball duration(const Nodes& nodes, std::size_t i) const;
 
  private:
@@ -97,7 +97,6 @@ class Chain {
     InData<Matrix> flow, begin, reached, event;  // the event's row
   };
   [[nodiscard]] InData<Ball> duration(const NodesInData& nodes, std::size_t i) const;
-  [[nodiscard]] InData<Matrix> beginning(const NodesInData& nodes, std::size_t i) const;
   [[nodiscard]] Course course(const NodesInData& nodes, std::size_t i) const;
   // (x, x') with x_j' put in, and without.
   [[nodiscard]] Vector with(const Ball& speed, const Node& node) const;

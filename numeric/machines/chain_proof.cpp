@@ -484,8 +484,10 @@ ChainProof prove_chains(const MachineQuestion& question, const NodesInData& node
     ChainProof proof{Verdict::proved(), WorkingPrecision::bits(), {}, {}, image->return_map};
     for (std::size_t i = 0; i < X.size(); ++i) {
       proof.unique.emplace_back(X[i].all());
-      proof.nodes.emplace_back(nodes[i].all() + image->deviations[i]);
+      X[i].rest = image->deviations[i];
+      proof.nodes.emplace_back(X[i].all());
     }
+    proof.in_data = X;
     return proof;
   }
   return open("no box around the motions passed Newton's test");

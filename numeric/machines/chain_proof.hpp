@@ -52,6 +52,7 @@ struct ChainProof {
   Nodes nodes;      // contain its nodes
   Nodes unique;
   motion::SquareMatrix return_map;  // has the chain's multipliers as eigenvalues
+  NodesInData in_data = {};         // the nodes of many machines
 };
 
 // Newton's test, as it stands, for the box about m whose radii are 2^exponent in units of 1 + |m| for each

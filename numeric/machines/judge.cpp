@@ -30,10 +30,10 @@ Ball largest(const Vector& v, const Vector& weights) {
 
 }  // namespace
 
-Watched::Watched(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T, bool reversed)
+Watched::Watched(const LinearPhases& phases, Piece piece, const InData<Matrix>& w, const Ball& T, bool reversed)
     : phases_(phases), piece_(piece), reversed_(reversed), covers_(false) {
   if (phases.is_smooth(piece)) {
-    follow(phases, piece, w, T);
+    follow(phases, piece, w.all(), T);
     return;
   }
   watch_ = &phases.watch(piece, reversed);
@@ -43,55 +43,88 @@ Watched::Watched(const LinearPhases& phases, Piece piece, const Vector& w, const
     count_ = static_cast<std::size_t>(stretches);
   }
   covers_ = !(Ball(static_cast<double>(count_) * watch_->length) - T).lower().is_negative();
-  stretches_.push_back({0, watch_->length, w, {}, {}, {}});
+  stretches_.push_back({0, watch_->length, w, {}, {}, {}, {}});
 }
 
 void Watched::follow(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T) {
   const SmoothPhase phase(phases, piece.side(), w, T, reversed_, false);
   const Eigen::Index speed = phases.masses() + phases.rubbing();
   for (const SmoothPhase::Step& step : phase.steps()) {
-    stretches_.push_back({step.start, step.length * SmoothPhase::longer, {}, {}, {}, {}});
+    Vector terms(static_cast<Eigen::Index>(step.w.size()));
+    std::vector<double> guess;
     for (const Vector& coefficient : step.w) {
-      stretches_.back().terms.push_back(coefficient(speed));
-      stretches_.back().guess.push_back(coefficient(speed).approximate());
+      terms(static_cast<Eigen::Index>(guess.size())) = coefficient(speed);
+      guess.push_back(coefficient(speed).approximate());
     }
+    stretches_.push_back(
+        {step.start, step.length * SmoothPhase::longer, {}, InData<Vector>(terms), terms, guess, {}});
   }
   count_ = stretches_.size();
   covers_ = count_ > 0 &&
             !(Ball(stretches_.back().start) + Ball(stretches_.back().length) - T).lower().is_negative();
 }
 
+// row B^m w/m!.
+InData<Vector> Watched::terms_at(const InData<Matrix>& w) const {
+  const auto count = static_cast<Eigen::Index>(watch_->rows.size());
+  if (phases_.points().empty()) {
+    return mapped(w, [&](const Matrix& one) {
+      Vector terms = Vector::Constant(count, Ball(0));
+      for (Eigen::Index m = 0; m < count; ++m) {
+        const Vector& row = watch_->rows[static_cast<std::size_t>(m)];
+        for (Eigen::Index i = 0; i < row.size(); ++i) {
+          if (!is_zero(row(i))) {
+            add_product(terms(m), row(i), one(i));
+          }
+        }
+      }
+      return terms;
+    });
+  }
+  const InData<Matrix> B = phases_.drift_in_data(piece_) * Ball(reversed_ ? -1 : 1);
+  const InData<Matrix> row = phases_.watched(piece_);
+  InData<Matrix> term = w;
+  InData<Vector> terms;
+  for (Eigen::Index m = 0; m < count; ++m) {
+    terms += mapped(row * term, [&](const Matrix& x) {
+      Vector at_m = Vector::Constant(count, Ball(0));
+      at_m(m) = x(0, 0);
+      return at_m;
+    });
+    term = product(B, term, sparse_product<Matrix>) * (Ball(1) / Ball(static_cast<long>(m + 1)));
+  }
+  return terms;
+}
+
 const Watched::Stretch& Watched::stretch(std::size_t k) const {
-  // From one to the next balls grow; so every now and then from the first, and where they are wide always.
-  const std::size_t most_in_a_row = phases_.points().empty() ? 16 : 1;
+  // From one to the next balls grow; so every now and then from the first, and of many machines always.
+  constexpr std::size_t most_in_a_row = 16;
+  const bool is_one = phases_.points().empty();
   while (stretches_.size() <= k) {
     const std::size_t n = stretches_.size();
     const double start = static_cast<double>(n) * watch_->length;
-    const Ball t(start);
-    stretches_.push_back({start,
-                          watch_->length,
-                          n % most_in_a_row == 0
-                              ? phases_.after(piece_, reversed_ ? Ball(-t) : t, stretches_[0].w)
-                              : Vector(product(watch_->flow, stretches_.back().w)),
-                          {},
-                          {},
-                          {}});
+    const Ball t(reversed_ ? -start : start);
+    const InData<Matrix>& first = stretches_[0].w;
+    InData<Matrix> w;
+    if (!is_one) {
+      w = phases_.flow(piece_, InData<Ball>(t)) * first;
+    } else if (n % most_in_a_row == 0) {
+      w = InData<Matrix>(Matrix(phases_.after(piece_, t, Vector(first.all()))));
+    } else {
+      w = InData<Matrix>(Matrix(product(watch_->flow, stretches_.back().w.all())));
+    }
+    stretches_.push_back({start, watch_->length, w, {}, {}, {}, {}});
   }
   Stretch& found = stretches_[k];
-  if (!found.terms.empty()) {
+  if (!found.guess.empty()) {
     return found;
   }
-  for (const Vector& row : watch_->rows) {
-    Ball sum(0);
-    for (Eigen::Index i = 0; i < row.size(); ++i) {
-      if (!is_zero(row(i))) {
-        add_product(sum, row(i), found.w(i));
-      }
-    }
-    found.terms.push_back(sum);
-    found.guess.push_back(sum.approximate());
+  found.terms = terms_at(found.w);
+  found.all = found.terms.all();
+  for (const Ball& term : found.terms.c[0]) {
+    found.guess.push_back(term.approximate());
   }
-  const Ball of_w = watch_->size * largest(found.w, watch_->balance);
+  const Ball of_w = watch_->size * largest(found.w.all(), watch_->balance);
   for (std::size_t i = 0; i < found.rest.size(); ++i) {
     found.rest[i] = Ball(of_w * watch_->rest[i]).upper();
   }
@@ -107,22 +140,62 @@ std::size_t Watched::stretch_of(double s) const {
   return k > 0 ? std::min(static_cast<std::size_t>(k), count_ - 1) : 0;
 }
 
-std::array<Ball, 4> Watched::at(const Ball& s, std::size_t derivative) const {
+namespace {
+
+// The first derivatives, each over i!, of the polynomial with these coefficients.
+template <std::size_t N>
+std::array<Ball, N> horner(const Vector& terms, const Ball& r, std::size_t count) {
+  std::array<Ball, N> d;
+  for (Eigen::Index m = terms.size(); m-- > 0;) {
+    for (std::size_t i = count - 1; i > 0; --i) {
+      d[i] *= r;
+      d[i] += d[i - 1];
+    }
+    d[0] *= r;
+    d[0] += terms(m);
+  }
+  return d;
+}
+
+// Adds those of a function of data, for all of them: of each monomial by itself, in which the terms go
+// together.
+template <std::size_t N>
+void add_for_all(std::array<Ball, N>& sum, const InData<Vector>& terms, const Ball& r, std::size_t count) {
+  const auto add = [&](const Vector& of_one, const Ball& range) {
+    if (of_one.size() > 0) {
+      const auto d = horner<N>(of_one, r, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        add_product(sum[i], d[i], range);
+      }
+    }
+  };
+  for (std::size_t i = 0; i < terms.c.size(); ++i) {
+    add(terms.c[i], monomial(i).range());
+  }
+  add(terms.rest, Ball(1));
+}
+
+}  // namespace
+
+std::array<Ball, 4> Watched::at(const Ball& s, std::size_t derivative, const InData<Ball>& offset) const {
   std::array<Ball, 4 + most_derivatives> d;
   const std::size_t count = 4 + derivative;
-  const bool known = count_ > 0;
   bool is_inside = false;
-  if (known) {
+  if (count_ > 0) {
     const Stretch& here = stretch(stretch_of(s.approximate()));
     const Ball r = s - Ball(here.start);
     is_inside = !r.lower().is_negative() && !(Ball(here.length) - r).lower().is_negative();
-    for (std::size_t m = here.terms.size(); m-- > 0;) {
-      for (std::size_t i = count - 1; i > 0; --i) {
-        d[i] *= r;
-        d[i] += d[i - 1];
-      }
-      d[0] *= r;
-      d[0] += here.terms[m];
+    if (here.terms.c.size() == 1 && offset.c.size() == 1) {
+      d = horner<4 + most_derivatives>(here.terms.c[0], r, count);
+      d[0] += offset.c[0];
+    } else {
+      InData<Vector> terms = here.terms;
+      terms += mapped(offset, [&](const Ball& x) {
+        Vector at_first = Vector::Constant(here.all.size(), Ball(0));
+        at_first(0) = x;
+        return at_first;
+      });
+      add_for_all(d, terms, r, count);
     }
     for (std::size_t i = 0; i < count; ++i) {
       d[i] = d[i] * Ball(factorial[i]) + Ball::hull(-here.rest[i], here.rest[i]);
@@ -163,16 +236,18 @@ std::optional<std::array<Ball, 3>> Watched::quotient_at(double s, std::size_t de
     return std::nullopt;
   }
   const Stretch& here = stretch(0);
-  std::array<Ball, 3> d;
-  for (std::size_t m = here.terms.size(); m-- > derivative + 1;) {
-    Ball term = here.terms[m];
-    for (std::size_t i = 0; i < derivative; ++i) {
-      term *= Ball(static_cast<long>(m - i));
+  const auto first = static_cast<Eigen::Index>(derivative) + 1;
+  const InData<Vector> terms = mapped(here.terms, [&](const Vector& all) {
+    Vector later = all.tail(all.size() - first);
+    for (Eigen::Index m = 0; m < later.size(); ++m) {
+      for (Eigen::Index i = 0; i + 1 < first; ++i) {
+        later(m) *= Ball(static_cast<long>(m + first - i));
+      }
     }
-    d[2] = d[2] * Ball(s) + d[1];
-    d[1] = d[1] * Ball(s) + d[0];
-    d[0] = d[0] * Ball(s) + term;
-  }
+    return later;
+  });
+  std::array<Ball, 3> d;
+  add_for_all(d, terms, Ball(s), d.size());
   for (std::size_t i = 0; i < d.size(); ++i) {
     const Ball most = here.rest[derivative + i + 1] / Ball(static_cast<long>(i + 1));
     d[i] = d[i] * Ball(factorial[i]) + Ball::hull(-most, most);
@@ -195,8 +270,8 @@ motion::DerivativeBounds Watched::bounds(std::size_t derivative) const {
     const Stretch& here = stretch(k);
     Ball power(1);  // length^(m - lowest)
     double of_third = here.rest[lowest].approximate(), of_fourth = here.rest[lowest + 1].approximate();
-    for (std::size_t m = lowest; m < here.terms.size(); ++m) {
-      double size = Ball(abs(here.terms[m]).upper() * power).approximate();
+    for (std::size_t m = lowest; m < static_cast<std::size_t>(here.all.size()); ++m) {
+      double size = Ball(abs(here.all(static_cast<Eigen::Index>(m))).upper() * power).approximate();
       for (std::size_t i = 0; i < lowest; ++i) {
         size *= static_cast<double>(m - i);
       }
@@ -214,13 +289,12 @@ motion::DerivativeBounds Watched::bounds(std::size_t derivative) const {
 }
 
 std::array<Ball, 4> AffineCourse::at(double s) const {
-  std::array<Ball, 4> d = f_.at(Ball(view_.origin) + Ball(view_.direction * s), view_.derivative);
+  std::array<Ball, 4> d = f_.at(Ball(view_.origin) + Ball(view_.direction * s), view_.derivative, offset_);
   int sign = sign_;
   for (Ball& number : d) {
     number *= Ball(sign);
     sign *= view_.direction;
   }
-  d[0] += offset_;
   return d;
 }
 
@@ -231,7 +305,7 @@ std::array<double, 4> AffineCourse::guess_at(double s) const {
     number *= sign;
     sign *= view_.direction;
   }
-  d[0] += offset_.approximate();
+  d[0] += sign_ * offset_.c[0].approximate();
   return d;
 }
 
@@ -263,11 +337,10 @@ class Judge {
         bounds_(forward_.bounds()) {}
 
   void stick() {
-    const model::FrictionOscillator<Ball>& o = linear_.oscillator();
     constexpr const char * premise = "$r = ur$ at the end of the stick";
-    along("stick.upper", "$r < ur$ while it sticks", -1, o.forward.at_rest,
+    along("stick.upper", "$r < ur$ while it sticks", -1, in_data([](const auto& o) { return o.forward.at_rest; }),
           {false, phase_.after && phase_.after->kind == PhaseKind::slip}, premise);
-    along("stick.lower", "$r > -ur$ while it sticks", 1, o.backward.at_rest,
+    along("stick.lower", "$r > -ur$ while it sticks", 1, in_data([](const auto& o) { return o.backward.at_rest; }),
           {false, phase_.after && phase_.after->kind == PhaseKind::overshoot}, premise);
   }
 
@@ -275,7 +348,6 @@ class Judge {
     const Piece& piece = phase_.piece;
     const bool slips = piece.kind == PhaseKind::slip;
     const model::FrictionOscillator<Ball>& o = linear_.oscillator();
-    const std::vector<model::SlidingPiece<Ball>>& law = o.law(piece.side()).sliding;
     const bool from_stick = phase_.before && phase_.before->kind == PhaseKind::stick;
     if (phase_.before && phase_.before->kind != piece.kind && !from_stick) {
       crossing(slips);
@@ -290,19 +362,23 @@ class Judge {
     constexpr const char * premise =
         "the velocity of the belt or of the law's next piece at an end of the phase";
     const int side = piece.side();
-    const Ball V = Ball(side) * o.V;
+    // side V minus the relative velocity at which a piece begins.
+    const auto from_belt = [&](std::size_t one) {
+      return in_data(
+          [&](const auto& other) { return Ball(Ball(side) * other.V - other.law(side).sliding[one].from); });
+    };
     const model::FrictionLaw<Rational>& exact = exact_.law(side);
     const bool slowly = number == 0 && from_stick && exact.sliding.front().force == exact.at_rest;
     const double from = slowly ? leaves_slowly(side) : 0;
     along(slips ? "slip" : "overshoot",
           number == 0 ? (slips ? "$x' < V$ while it slips" : "$x' > V$ while it overshoots")
                       : fmt::format("the relative velocity is above that where piece {} begins", number + 1),
-          -side, V - law[number].from, {!slowly && is_below(phase_.before), is_below(phase_.after)}, premise,
+          -side, from_belt(number), {!slowly && is_below(phase_.before), is_below(phase_.after)}, premise,
           from);
     if (number + 1 < o.law(side).pieces()) {
       along(slips ? "slip.piece" : "overshoot.piece",
             fmt::format("the relative velocity is below that where piece {} begins", number + 2), side,
-            law[number + 1].from - V, {is_above(phase_.before), is_above(phase_.after)}, premise);
+            from_belt(number + 1) * Ball(-1), {is_above(phase_.before), is_above(phase_.after)}, premise);
     }
   }
 
@@ -312,7 +388,9 @@ class Judge {
     list_.back().at = phase_.start;
   }
 
-  void along(const char * id, const std::string& statement, int sign, const Ball& offset, Touches touches,
+  [[nodiscard]] InData<Ball> in_data(const auto& of) const { return linear_.number(of); }
+
+  void along(const char * id, const std::string& statement, int sign, const InData<Ball>& offset, Touches touches,
              const char * premise, double from = 0) {
     add(id, statement);
     judge_along(list_.back(),
@@ -321,14 +399,11 @@ class Judge {
   }
 
   void crossing(bool slips) {
-    const model::FrictionOscillator<Ball>& o = linear_.oscillator();
     add("crossing", "$|r| > ur$ where a slip and an overshoot meet");
-    Ball r(0);
-    for (Eigen::Index k = 0; k < phase_.begin.size(); ++k) {
-      add_product(r, linear_.friction_at_rest()(k), phase_.begin(k));
-    }
-    judge(list_.back(), slips ? Ball(r - o.forward.at_rest) : Ball(-r - o.backward.at_rest), true,
-          "the distance");
+    InData<Ball> distance = mapped(linear_.watched({PhaseKind::stick}) * phase_.begin,
+                                   [&](const Matrix& r) { return Ball(Ball(slips ? 1 : -1) * r(0, 0)); });
+    distance += in_data([&](const auto& o) { return Ball(-o.law(slips ? 1 : -1).at_rest); });
+    judge(list_.back(), distance.all(), true, "the distance");
     if (list_.back().verdict.truth == Truth::refuted) {
       list_.back().violation = motion::Violation{phase_.start, *list_.back().margin};
     }
@@ -345,8 +420,8 @@ class Judge {
     }
     const double until = turns / 2;
     add("leaves", "the mass falls behind the belt, or gets ahead of it, faster and faster at first");
-    const AffineCourse rate(forward_, -side, Ball(0), {1, 0, 1});
-    const AffineCourse reversed(forward_, -side, Ball(0), {1, until, -1});
+    const AffineCourse rate(forward_, -side, InData<Ball>(Ball(0)), {1, 0, 1});
+    const AffineCourse reversed(forward_, -side, InData<Ball>(Ball(0)), {1, until, -1});
     judge_along(list_.back(), {rate,
                                reversed,
                                forward_.bounds(1),

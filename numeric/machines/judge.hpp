@@ -19,10 +19,11 @@ class Watched {
  public:
   // From w where the phase begins; `reversed`: from w where it ends, against the time. The phases have to
   // live as long.
-  Watched(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T, bool reversed);
+  Watched(const LinearPhases& phases, Piece piece, const InData<Matrix>& w, const Ball& T, bool reversed);
 
-  // The derivative of that order of f, and the next three, at s; not finite outside.
-  [[nodiscard]] std::array<Ball, 4> at(const Ball& s, std::size_t derivative = 0) const;
+  // The derivative of that order of f + offset, and the next three, at s; not finite outside.
+  [[nodiscard]] std::array<Ball, 4> at(const Ball& s, std::size_t derivative = 0,
+                                       const InData<Ball>& offset = InData<Ball>(Ball(0))) const;
   [[nodiscard]] std::array<double, 4> guess_at(double s, std::size_t derivative = 0) const;
   // Of (f - f(0))/s, f that derivative, itself and its first two derivatives; nothing beyond the first stretch
   // and on a smooth law.
@@ -35,8 +36,9 @@ class Watched {
  private:
   struct Stretch {
     double start, length;     // exact
-    Vector w;                 // at its beginning, where it is linear
-    std::vector<Ball> terms;  // the Taylor coefficients there
+    InData<Matrix> w;         // at its beginning, where it is linear
+    InData<Vector> terms;     // the Taylor coefficients there
+    Vector all;               // of these
     std::vector<double> guess;
     LinearPhases::Rest rest;  // what they leave out of the function and its derivatives is not more
   };
@@ -44,6 +46,7 @@ class Watched {
   [[nodiscard]] std::size_t stretch_of(double s) const;
 
   void follow(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T);
+  [[nodiscard]] InData<Vector> terms_at(const InData<Matrix>& w) const;
 
   const LinearPhases::Watch * watch_ = nullptr;  // nothing on a smooth law, where all stretches are there
   const LinearPhases& phases_;
@@ -62,9 +65,12 @@ class AffineCourse : public motion::Course {
     double origin = 0;
     int direction = 1;
   };
-  AffineCourse(const Watched& f, int sign, const Ball& offset) : AffineCourse(f, sign, offset, View{}) {}
-  AffineCourse(const Watched& f, int sign, const Ball& offset, View view)
-      : f_(f), sign_(sign), offset_(view.derivative == 0 ? offset : Ball(0)), view_(view) {}
+  AffineCourse(const Watched& f, int sign, const InData<Ball>& offset) : AffineCourse(f, sign, offset, View{}) {}
+  AffineCourse(const Watched& f, int sign, const InData<Ball>& offset, View view)
+      : f_(f),
+        sign_(sign),
+        offset_(view.derivative == 0 ? offset * Ball(sign) : InData<Ball>(Ball(0))),
+        view_(view) {}
   [[nodiscard]] std::array<Ball, 4> at(double s) const override;
   [[nodiscard]] std::array<double, 4> guess_at(double s) const override;
   [[nodiscard]] std::array<Ball, 3> quotient_at(double s) const override;
@@ -72,7 +78,7 @@ class AffineCourse : public motion::Course {
  private:
   const Watched& f_;
   int sign_;
-  Ball offset_;
+  InData<Ball> offset_;  // sign (sign f + offset) = f + offset_
   View view_;
 };
 
@@ -83,8 +89,8 @@ struct JudgedPhase {
   std::optional<Piece> before;
   Piece piece;
   std::optional<Piece> after;
-  Ball start, duration;  // in the time of the motion
-  Vector begin, end;     // w at its ends
+  Ball start, duration;       // in the time of the motion
+  InData<Matrix> begin, end;  // w at its ends
 };
 
 // Appends what keeps the phase from ending early and what lets it begin and end as it does, decided for each

@@ -217,16 +217,14 @@ const InData<Matrix>& LinearPhases::drift_in_data(Piece piece) const {
   if (!is_new) {
     return entry->second;
   }
-  const auto of_points = [&](const auto& value) {
-    std::vector<std::decay_t<decltype(value(points_.front()))>> values;
-    std::ranges::transform(points_, std::back_inserter(values), value);
-    return through(values);
-  };
-  const InData<Matrix> F = of_points([&](const LinearPhases& point) { return point.forces(piece); });
+  std::vector<Matrix> forces;
+  for (const LinearPhases& point : points_) {
+    forces.push_back(point.forces(piece));
+  }
   InData<Matrix> inverse(Matrix::Identity(size_, size_));  // of M
   for (Eigen::Index i = n_; i < 2 * n_; ++i) {
-    const InData<Ball> one = reciprocal(of_points(
-        [&](const LinearPhases& point) { return point.oscillator_.masses[static_cast<std::size_t>(i - n_)]; }));
+    const InData<Ball> one =
+        reciprocal(number([&](const auto& o) { return o.masses[static_cast<std::size_t>(i - n_)]; }));
     inverse.c[0](i, i) = Ball(0);
     inverse += mapped(one, [&](const Ball& x) {
       Matrix A = Matrix::Constant(size_, size_, Ball(0));
@@ -234,7 +232,7 @@ const InData<Matrix>& LinearPhases::drift_in_data(Piece piece) const {
       return A;
     });
   }
-  return entry->second = product(inverse, F, sparse_product<Matrix>);
+  return entry->second = product(inverse, through(forces), sparse_product<Matrix>);
 }
 
 namespace {
@@ -431,6 +429,9 @@ InData<Matrix> LinearPhases::flow(Piece piece, const InData<Ball>& h) const {
   const Exponential& known = nearest(piece, h.c[0].midpoint());
   InData<Ball> d = h;
   d.c[0] -= known.middle;
+  if (is_zero(d.all())) {
+    return known.in_data;
+  }
   return known.in_data *
          exponential(product(drift_in_data(piece), d, [](const Matrix& B, const Ball& x) { return Matrix(B * x); }),
                      units_);
@@ -613,6 +614,17 @@ Vector LinearPhases::whole(const Vector& state, const Ball& theta) const {
     w(k + 1) = sine;
   }
   return w;
+}
+
+InData<Matrix> LinearPhases::watched(Piece piece) const {
+  if (piece.kind != PhaseKind::stick || points_.empty()) {
+    return InData<Matrix>(Matrix((piece.kind == PhaseKind::stick ? r_ : speed()).transpose()));
+  }
+  std::vector<Matrix> rows;
+  for (const LinearPhases& point : points_) {
+    rows.emplace_back(point.r_.transpose());
+  }
+  return through(rows);
 }
 
 InData<Matrix> LinearPhases::whole(const InData<Matrix>& state, const InData<Ball>& theta) const {

@@ -59,7 +59,21 @@ class LinearPhases {
   [[nodiscard]] Matrix flow(Piece piece, const Ball& h) const;
   // That times w.
   [[nodiscard]] Vector after(Piece piece, const Ball& h, const Vector& w) const;
-  // For all machines as functions of the data: B, exp(B h), and w from (x, x') and theta.
+  // As functions of the data: a number of the oscillator, a linear function; and what ends the piece, r on a
+  // stick and x_j' else, as a row.
+  template <class F>
+  [[nodiscard]] InData<Ball> number(const F& of) const {
+    if (points_.empty()) {
+      return InData<Ball>(of(oscillator_));
+    }
+    std::vector<Ball> values;
+    for (const LinearPhases& point : points_) {
+      values.push_back(of(point.oscillator_));
+    }
+    return through(values);
+  }
+  [[nodiscard]] InData<Matrix> watched(Piece piece) const;
+  // For all machines: B, exp(B h), and w from (x, x') and theta.
   [[nodiscard]] const InData<Matrix>& drift_in_data(Piece piece) const;
   [[nodiscard]] InData<Matrix> flow(Piece piece, const InData<Ball>& h) const;
   [[nodiscard]] InData<Matrix> whole(const InData<Matrix>& state, const InData<Ball>& theta) const;

@@ -55,16 +55,20 @@ bool is_open(const MachineOrbit& orbit) {
 }
 
 // With so many bits.
-void judge_all(MachineOrbit& orbit, const MachineQuestion& question, const Nodes& nodes, long bits) {
+void judge_all(MachineOrbit& orbit, const MachineQuestion& question, const ChainProof& proof, long bits) {
   const WorkingPrecision scope(bits);
   const Chain chain(question);
   const std::vector<Piece>& pieces = question.pieces;
   const std::size_t count = pieces.size();
+  const auto w_at = [&](std::size_t i) {
+    return proof.in_data.empty() ? InData<Matrix>(Matrix(chain.beginning(proof.nodes, i)))
+                                 : chain.beginning(proof.in_data, i);
+  };
   orbit.conditions.clear();
   for (std::size_t i = 0; i < count; ++i) {
     judge_phase(orbit.conditions, chain.phases(), question.machine.oscillator,
                 {pieces[(i + count - 1) % count], pieces[i], pieces[(i + 1) % count], orbit.phases[i].start,
-                 orbit.phases[i].duration, chain.beginning(nodes, i), chain.end(nodes, i)});
+                 orbit.phases[i].duration, w_at(i), w_at((i + 1) % count)});
   }
   orbit.admissible = admissible(orbit.conditions);
 }
@@ -87,9 +91,9 @@ void decide(MachineOrbit& orbit, const MachineQuestion& question, const ChainPro
   const auto is_smooth = [&](const Piece& piece) { return chain.phases().is_smooth(piece); };
   const auto is_undecided = [](const Condition& c) { return c.verdict.truth == Truth::undecided; };
   const bool costly = std::ranges::any_of(question.pieces, is_smooth);
-  judge_all(orbit, question, proof.nodes, costly ? proof.bits : few_bits);
+  judge_all(orbit, question, proof, costly ? proof.bits : few_bits);
   if (!costly && proof.bits > few_bits && std::ranges::any_of(orbit.conditions, is_undecided)) {
-    judge_all(orbit, question, proof.nodes, proof.bits);
+    judge_all(orbit, question, proof, proof.bits);
   }
   if (orbit.admissible.truth == Truth::proved) {
     const bool sticks = std::any_of(question.pieces.begin(), question.pieces.end(),

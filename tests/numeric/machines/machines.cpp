@@ -207,8 +207,8 @@ TEST_CASE("a course has the values and derivatives of the flow, from both ends, 
   const Vector end = zeros::product(phases.flow(piece, T), w);
   const Matrix& B = phases.drift(piece);
   const Vector row = phases.speed();
-  const Watched g(phases, piece, w, T, false);
-  const Watched back(phases, piece, end, T, true);
+  const Watched g(phases, piece, InData<Matrix>(Matrix(w)), T, false);
+  const Watched back(phases, piece, InData<Matrix>(Matrix(end)), T, true);
   const motion::DerivativeBounds bounds = g.bounds();
   for (const double s : {0.0, 0.01, 0.5, 1.0, 2.9, 3.3}) {
     Vector at = zeros::product(phases.flow(piece, Ball(s)), w);
@@ -238,7 +238,7 @@ TEST_CASE("a course has the values and derivatives of the flow, from both ends, 
     CHECK_FALSE((abs(fourth) - bounds.fourth).is_positive());
   }
   CHECK_FALSE(g.at(100).front().is_finite());
-  const AffineCourse turned(g, -1, Ball(3));
+  const AffineCourse turned(g, -1, InData<Ball>(Ball(3)));
   CHECK(turned.at(0.5)[0].overlaps(Ball(3) - g.at(0.5)[0]));
   CHECK(turned.at(0.5)[1].overlaps(-g.at(0.5)[1]));
   CHECK(turned.guess_at(0.5)[0] == doctest::Approx(3 - g.guess_at(0.5)[0]));

@@ -213,7 +213,7 @@ TEST_CASE("a course on a smooth law has the values and derivatives of the motion
   const LinearPhases phases(oscillator_as<Ball>(machine));
   const State X{0.2, 0.5, -0.1, 0.3};
   const Piece slip{motion::PhaseKind::slip, 0};
-  const Watched f(phases, slip, phases.whole(balls(X), Ball(0.4)), Ball(2.0), false);
+  const Watched f(phases, slip, InData<Matrix>(Matrix(phases.whole(balls(X), Ball(0.4)))), Ball(2.0), false);
   const motion::DerivativeBounds bounds = f.bounds(), of_rate = f.bounds(1);
   for (double s = 0; s <= 2; s += 0.125) {
     const auto d = f.at(Ball(s)), rate = f.at(Ball(s), 1);
