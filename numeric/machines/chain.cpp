@@ -201,14 +201,18 @@ Chain::Course Chain::course(const NodesInData& nodes, std::size_t i) const {
   return {flow, begin, flow * begin, through(events)};
 }
 
-Node Chain::conditions(const NodesInData& nodes, std::size_t i) const {
+InData<Matrix> Chain::conditions(const NodesInData& nodes, std::size_t i) const {
   const Eigen::Index n = phases_.masses();
   const Course phase = course(nodes, i);
   InData<Matrix> apart = mapped(phase.reached, [&](const Matrix& w) { return Matrix(-without(w)); });
   apart += mapped(nodes[(i + 1) % size()], [&](const Matrix& node) { return Matrix(node.bottomRows(2 * n - 1)); });
-  Node F(2 * n);
-  F.head(2 * n - 1) = apart.all();
-  F(2 * n - 1) = (phase.event * phase.reached).all()(0, 0);
+  const auto at = [&](Eigen::Index row, const Matrix& x) {
+    Matrix F = Matrix::Constant(2 * n, 1, Ball(0));
+    F.middleRows(row, x.rows()) = x;
+    return F;
+  };
+  InData<Matrix> F = mapped(apart, [&](const Matrix& x) { return at(0, x); });
+  F += mapped(phase.event * phase.reached, [&](const Matrix& x) { return at(2 * n - 1, x); });
   return F;
 }
 
@@ -263,10 +267,10 @@ Link Chain::link(const NodesInData& nodes, std::size_t i) const {
 std::vector<double> Chain::changes(const NodesInData& nodes) const {
   const Vector units = phases_.units();
   std::vector<double> changes;
-  for (std::size_t k = 1; Monomial{0, k}.place() < phases_.points().size(); ++k) {
+  for (std::size_t k = 1; k <= data(); ++k) {
     double sum = 0;
     const auto size = [&](const auto& f, const auto& of) {
-      const std::size_t place = Monomial{0, k}.place();
+      const std::size_t place = place_of(k);
       sum += place < f.c.size() && !is_none(f.c[place]) ? of(f.c[place]) : 0;
     };
     for (std::size_t i = 0; i < this->size(); ++i) {

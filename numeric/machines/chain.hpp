@@ -53,7 +53,7 @@ struct MachineQuestion {
   std::vector<Piece> pieces;  // piece i begins at node i; neighbours differ
   long periods = 1;           // of the load, if there is one
   // Where there are any all machines are meant whose numbers are linear functions of data, by those at the
-  // points of in_data.hpp's `through`; `machine` is the first, in the middle.
+  // points of in_data.hpp; `machine` is the first, in the middle.
   std::vector<Machine> points = {};
 };
 
@@ -70,12 +70,13 @@ class Chain {
   [[nodiscard]] Link link(const Nodes& nodes, std::size_t i) const;
 
   // For all machines the same as functions of the data.
-  [[nodiscard]] Node conditions(const NodesInData& nodes, std::size_t i) const;
+  [[nodiscard]] InData<Matrix> conditions(const NodesInData& nodes, std::size_t i) const;
   [[nodiscard]] Link link(const NodesInData& nodes, std::size_t i) const;
   [[nodiscard]] InData<Matrix> beginning(const NodesInData& nodes, std::size_t i) const;
   // How much theta, the duration and w change along the phases with each datum, in units of w and of what
   // grows in a time.
   [[nodiscard]] std::vector<double> changes(const NodesInData& nodes) const;
+  [[nodiscard]] std::size_t data() const { return phases_.drift_in_data(pieces_[0]).data(); }
 
   [[nodiscard]] const LinearPhases& phases() const { return phases_; }
   // (x, x') at node i.

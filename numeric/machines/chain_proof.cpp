@@ -431,14 +431,39 @@ std::optional<Nodes> approximate_chain(const MachineQuestion& question, const No
   return approximate(chains, midpoints(guess), WorkingPrecision::bits()).nodes;
 }
 
-NodesInData nodes_through(const std::vector<Nodes>& at_points) {
+// Newton's method on polynomials, degree after degree: of those below none is left in the conditions.
+std::optional<NodesInData> approximate_chains(const MachineQuestion& question, const Nodes& middle) {
+  const Chain chain(question), one({question.machine, question.pieces, question.periods});
+  const std::vector<Link> links = links_of(one, midpoints(middle));
+  const std::size_t count = monomials(chain.data());
   NodesInData nodes;
-  for (std::size_t i = 0; i < at_points.front().size(); ++i) {
-    std::vector<Matrix> values;
-    for (const Nodes& at_point : at_points) {
-      values.emplace_back(at_point[i]);
+  for (const Node& u : middle) {
+    nodes.emplace_back(middles(Matrix(u))).c.resize(count);
+  }
+  for (std::size_t degree = 1; degree <= highest_degree; ++degree) {
+    std::vector<InData<Matrix>> F;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      F.push_back(chain.conditions(nodes, i));
+      F.back().c.resize(count);
     }
-    nodes.emplace_back(mapped(through(values), middles)).rest.resize(0, 0);
+    for (std::size_t place = 0; place < count; ++place) {
+      if (monomial(place).degree() != degree) {
+        continue;
+      }
+      Nodes g;
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const Matrix& of_monomial = F[i].c[place];
+        g.push_back(midpoint(is_none(of_monomial) ? Node::Constant(middle[i].size(), Ball(0))
+                                                  : links[i].response(of_monomial)));
+      }
+      const auto found = sweep(links, g);
+      if (!found) {
+        return std::nullopt;
+      }
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        nodes[i].c[place] = middles(found->deviations[i]);
+      }
+    }
   }
   return nodes;
 }
@@ -458,7 +483,7 @@ ChainProof prove_chains(const MachineQuestion& question, const NodesInData& node
   };
   Nodes F;
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    F.push_back(chain.conditions(nodes, i));
+    F.emplace_back(chain.conditions(nodes, i).all());
   }
   std::vector<Link> links = links_at(nodes);
   auto image = sweep(links, responses(links, F));

@@ -70,10 +70,12 @@ struct Known {
   ChainProof proof;
 };
 
-// Near the closed chains of the machines at the question's points, floats, a polynomial of nodes.
-[[nodiscard]] NodesInData nodes_through(const std::vector<Nodes>& at_points);
+// For all machines of a question with points a polynomial of nodes near their closed chains, in floats, from
+// that in the middle; nothing where there is none.
+[[nodiscard]] std::optional<NodesInData> approximate_chains(const MachineQuestion& question,
+                                                            const Nodes& middle);
 
-// For all machines of a question with points Newton's test about such a polynomial, all at once. Proved: for
+// For these machines Newton's test about such a polynomial, all at once. Proved: for
 // each machine exactly one closed chain has its nodes in a box about the polynomial there; these depend
 // continuously on the data, and the known ones are among them; the nodes contain all, and the return map that
 // of each.

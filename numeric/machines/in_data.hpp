@@ -1,12 +1,13 @@
-// Functions of some data s_1, s_2, …, each of them between -1 and 1, as polynomials of the second degree with
+// Functions of some data s_1, s_2, …, each of them between -1 and 1, as polynomials of the third degree with
 // balls as coefficients, and a ball that holds what these leave out.
 //
-// With s_0 = 1 the monomials are s_j s_k, 0 <= j <= k, in the order 1; s_1, s_1²; s_2, s_1 s_2, s_2²; … So a
-// function of fewer data is one of more. A coefficient that is none, a ball that is 0 or a matrix without
-// entries, is zero.
+// With s_0 = 1 the monomials are s_i s_j s_k, i <= j <= k, in an order in which those of fewer data come
+// first: so a function of some data is one of more. A coefficient that is none, a ball that is 0 or a matrix
+// without entries, is zero.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -17,6 +18,57 @@
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
+
+inline constexpr std::size_t most_data = 8;
+inline constexpr std::size_t highest_degree = 3;
+
+struct Monomial {
+  std::array<std::size_t, highest_degree> of{};  // rising
+
+  [[nodiscard]] constexpr std::size_t place() const {
+    return of[0] + of[1] * (of[1] + 1) / 2 + of[2] * (of[2] + 1) * (of[2] + 2) / 6;
+  }
+  [[nodiscard]] constexpr std::size_t degree() const {
+    return (of[0] > 0 ? 1U : 0U) + (of[1] > 0 ? 1U : 0U) + (of[2] > 0 ? 1U : 0U);
+  }
+  // For all s.
+  [[nodiscard]] Ball range() const {
+    const bool is_square = of[0] == 0 && of[1] == of[2];
+    return degree() == 0 ? Ball(1) : Ball::hull(Ball(is_square ? 0 : -1), Ball(1));
+  }
+  // Assumes that the degrees are together at most the highest.
+  friend Monomial operator*(const Monomial& a, const Monomial& b) {
+    Monomial product = a;
+    for (std::size_t l = highest_degree, free = highest_degree - a.degree(); l-- > 0 && b.of[l] > 0;) {
+      product.of[--free] = b.of[l];
+    }
+    std::ranges::sort(product.of);
+    return product;
+  }
+};
+// s_k, k >= 1.
+[[nodiscard]] constexpr std::size_t place_of(std::size_t k) {
+  return Monomial{{0, 0, k}}.place();
+}
+// Of so many data.
+[[nodiscard]] constexpr std::size_t monomials(std::size_t data) {
+  return (data + 1) * (data + 2) * (data + 3) / 6;
+}
+// At most of `most_data`.
+[[nodiscard]] inline const Monomial& monomial(std::size_t place) {
+  static const std::vector<Monomial> all = [] {
+    std::vector<Monomial> found;
+    for (std::size_t k = 0; k <= most_data; ++k) {
+      for (std::size_t j = 0; j <= k; ++j) {
+        for (std::size_t i = 0; i <= j; ++i) {
+          found.push_back({{i, j, k}});
+        }
+      }
+    }
+    return found;
+  }();
+  return all.at(place);
+}
 
 [[nodiscard]] inline bool is_none(const Ball& x) {
   return is_zero(x);
@@ -34,28 +86,6 @@ void add(M& sum, const M& x) {
   }
 }
 
-// s_j s_k, j <= k.
-struct Monomial {
-  std::size_t j, k;
-
-  [[nodiscard]] std::size_t place() const { return k * (k + 1) / 2 + j; }
-  [[nodiscard]] std::size_t degree() const { return (j > 0 ? 1 : 0) + (k > 0 ? 1 : 0); }
-  // For all s.
-  [[nodiscard]] Ball range() const {
-    return k == 0 ? Ball(1) : Ball::hull(Ball(j == k ? 0 : -1), Ball(1));
-  }
-};
-[[nodiscard]] constexpr std::size_t monomials(std::size_t data) {
-  return (data + 1) * (data + 2) / 2;
-}
-[[nodiscard]] constexpr Monomial monomial(std::size_t place) {
-  std::size_t k = 0;
-  while (monomials(k) <= place) {
-    ++k;
-  }
-  return {place - k * (k + 1) / 2, k};
-}
-
 template <class M>
 struct InData {
   std::vector<M> c;  // of all monomials of some data
@@ -63,16 +93,15 @@ struct InData {
 
   InData() = default;
   explicit InData(const M& constant) : c{constant} {}
-  // The last ones may be left out.
-  explicit InData(std::vector<M> coefficients) : c(std::move(coefficients)) {
-    c.resize(monomials(monomial(c.size() - 1).k));
-  }
+
+  // Those of the data.
+  [[nodiscard]] std::size_t data() const { return monomial(c.size() - 1).of.back(); }
 
   // The sum of the parts of these degrees, for all s.
   [[nodiscard]] M part(std::size_t lowest, std::size_t highest) const {
     M sum{};
     for (std::size_t i = 0; i < c.size(); ++i) {
-      const Monomial m = monomial(i);
+      const Monomial& m = monomial(i);
       if (m.degree() >= lowest && m.degree() <= highest && !is_none(c[i])) {
         machines::add(sum, i == 0 ? c[i] : M(c[i] * m.range()));
       }
@@ -81,18 +110,20 @@ struct InData {
   }
   // Contains it for all s.
   [[nodiscard]] M all() const {
-    M all = part(0, 2);
+    M all = part(0, highest_degree);
     machines::add(all, rest);
     return all;
   }
   // Contains it at these s.
   [[nodiscard]] M at(const std::vector<Ball>& s) const {
-    const auto factor = [&](std::size_t k) { return k == 0 ? Ball(1) : s.at(k - 1); };
     M sum = rest;
     for (std::size_t i = 0; i < c.size(); ++i) {
-      const Monomial m = monomial(i);
+      Ball value(1);
+      for (const std::size_t k : monomial(i).of) {
+        value *= k == 0 ? Ball(1) : s.at(k - 1);
+      }
       if (!is_none(c[i])) {
-        machines::add(sum, M(c[i] * Ball(factor(m.j) * factor(m.k))));
+        machines::add(sum, M(c[i] * value));
       }
     }
     return sum;
@@ -139,26 +170,21 @@ template <class A, class B, class Times>
     }
   };
   for (std::size_t a = 0; a < f.c.size(); ++a) {
-    const Monomial of_f = monomial(a);
-    for (std::size_t b = 0; b < g.c.size(); ++b) {
-      const Monomial of_g = monomial(b);
-      if (of_f.degree() + of_g.degree() <= 2) {
-        const auto [j, k] = of_f.degree() == 0   ? of_g
-                            : of_g.degree() == 0 ? of_f
-                                                 : Monomial{std::min(of_f.k, of_g.k), std::max(of_f.k, of_g.k)};
-        into(result.c[Monomial{j, k}.place()], f.c[a], g.c[b]);
+    for (std::size_t b = 0; b < g.c.size() && !is_none(f.c[a]); ++b) {
+      const Monomial &of_f = monomial(a), &of_g = monomial(b);
+      if (of_f.degree() + of_g.degree() <= highest_degree && !is_none(g.c[b])) {
+        into(result.c[(of_f * of_g).place()], f.c[a], g.c[b]);
       }
     }
   }
-  if (f.c.size() > 1 && g.c.size() > 1) {
-    into(result.rest, f.part(1, 1), g.part(2, 2));
-    into(result.rest, f.part(2, 2), g.part(1, 2));
+  for (std::size_t degree = 1; f.c.size() > 1 && g.c.size() > 1 && degree <= highest_degree; ++degree) {
+    into(result.rest, f.part(degree, degree), g.part(highest_degree + 1 - degree, highest_degree));
   }
   if (!is_none(f.rest)) {
     into(result.rest, f.rest, g.all());
   }
   if (!is_none(g.rest)) {
-    into(result.rest, f.part(0, 2), g.rest);
+    into(result.rest, f.part(0, highest_degree), g.rest);
   }
   return result;
 }
@@ -171,9 +197,21 @@ template <class M>
   return product(f, g, [](const M& x, const M& y) { return M(zeros::product(x, y)); });
 }
 
-// The polynomial of the second degree that has these values at the places of its monomials: at 0 for 1, e_k
-// for s_k, -e_k for s_k² and e_j + e_k for s_j s_k, e the units. A coefficient that may be zero is part of the
-// rest: most are.
+// Points that tell a polynomial of the second degree, e the units: 0; e_1, -e_1; e_2, e_1 + e_2, -e_2; … In
+// this order e_k is number k (k + 1)/2, e_j + e_k that and j, -e_k that and k.
+[[nodiscard]] inline std::vector<std::vector<int>> points_of(std::size_t data) {
+  std::vector<std::vector<int>> points{std::vector<int>(data, 0)};
+  for (std::size_t k = 1; k <= data; ++k) {
+    for (std::size_t j = 0; j <= k; ++j) {
+      points.emplace_back(data, 0)[k - 1] = j == k ? -1 : 1;
+      if (j > 0 && j < k) {
+        points.back()[j - 1] = 1;
+      }
+    }
+  }
+  return points;
+}
+// The one that has these values there. A coefficient that may be zero is part of the rest: most are.
 template <class M>
 [[nodiscard]] InData<M> through(const std::vector<M>& values) {
   const auto may_be_zero = [](const M& x) {
@@ -184,52 +222,55 @@ template <class M>
     }
   };
   InData<M> f(values.front());
-  f.c.resize(values.size());
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const auto [j, k] = monomial(i);
-    const M &at_k = values[Monomial{0, k}.place()], &other = values[j == 0 ? Monomial{k, k}.place() : i];
-    M x;
-    if (j == 0) {
-      x = (at_k - other) * Ball(0.5);
-    } else if (j == k) {
-      x = (at_k + other) * Ball(0.5) - values[0];
-    } else {
-      x = other - at_k - values[Monomial{0, j}.place()] + values[0];
-    }
+  const auto add_monomial = [&](const Monomial& m, const M& x) {
     if (may_be_zero(x)) {
-      add(f.rest, M(x * monomial(i).range()));
+      add(f.rest, M(x * m.range()));
     } else {
-      f.c[i] = x;
+      f.c[m.place()] = x;
+    }
+  };
+  for (std::size_t k = 1, first = 1; first < values.size(); ++k, first += k) {
+    const M &high = values[first], &low = values[first + k];
+    f.c.resize(monomials(k));
+    add_monomial({{0, 0, k}}, M((high - low) * Ball(0.5)));
+    add_monomial({{0, k, k}}, M((high + low) * Ball(0.5) - values[0]));
+    for (std::size_t j = 1; j < k; ++j) {
+      add_monomial({{0, j, k}}, M(values[first + j] - high - values[j * (j + 1) / 2] + values[0]));
     }
   }
   return f;
 }
 
-// 1/(a + d) = (1 - q + q² - q³/(1 + q))/a with q = d/a. Not finite unless a + d has no zero.
+// 1/(a + d) = (1 - q + q² - q³ + q⁴/(1 + q))/a with q = d/a. Not finite unless a + d has no zero.
 [[nodiscard]] inline InData<Ball> reciprocal(const InData<Ball>& f) {
   const Ball one = Ball(1) / f.c[0];
   InData<Ball> q = f;
   q.c[0] = Ball(0);
   q = q * one;
   const Ball all = q.all();
-  InData<Ball> result = q * q;
-  result += q * Ball(-1);
+  InData<Ball> power = q, result = q * Ball(-1);
+  for (const int sign : {1, -1}) {
+    power = power * q;
+    result += power * Ball(sign);
+  }
   result.c[0] += Ball(1);
-  result.rest -= all * all * all / (Ball(1) + all);
+  result.rest += all * all * all * all / (Ball(1) + all);
   return result * one;
 }
 
-// Sine and cosine of a + d by those of d to the third order, with |cos d - 1 + d²/2| <= d⁴/24 and
-// |sin d - d| <= |d|³/6.
+// Sine and cosine of a + d by those of d, with |cos d - 1 + d²/2| <= d⁴/24 and
+// |sin d - d + d³/6| <= |d|⁵/120.
 [[nodiscard]] inline std::pair<InData<Ball>, InData<Ball>> sin_cos(const InData<Ball>& f) {
   const auto [sine, cosine] = sin_cos(f.c[0]);
   InData<Ball> d = f;
   d.c[0] = Ball(0);
-  const Ball most = abs(d.all()).upper(), both = Ball::hull(Ball(-1), Ball(1));
-  InData<Ball> sin_d = d, cos_d = d * d * Ball(-0.5);
+  const Ball most = abs(d.all()).upper(), fourth = most * most * most * most * Ball::hull(Ball(-1), Ball(1));
+  const InData<Ball> square = d * d;
+  InData<Ball> sin_d = d, cos_d = square * Ball(-0.5);
+  sin_d += square * d * (Ball(-1) / Ball(6));
+  sin_d.rest += fourth * most / Ball(120);
   cos_d.c[0] += Ball(1);
-  sin_d.rest += both * most * most * most / Ball(6);
-  cos_d.rest += both * most * most * most * most / Ball(24);
+  cos_d.rest += fourth / Ball(24);
   InData<Ball> sine_of_f = cos_d * sine, cosine_of_f = cos_d * cosine;
   sine_of_f += sin_d * cosine;
   cosine_of_f += sin_d * Ball(-sine);

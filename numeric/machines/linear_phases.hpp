@@ -37,7 +37,7 @@ class LinearPhases {
  public:
   explicit LinearPhases(const model::FrictionOscillator<Ball>& oscillator);
   // Of all machines whose numbers are linear functions of data s_1, s_2, …, between -1 and 1, by those at the
-  // points of in_data.hpp's `through`; on no smooth law.
+  // points of in_data.hpp; on no smooth law.
   explicit LinearPhases(const std::vector<model::FrictionOscillator<Ball>>& points);
   // These; empty for one machine.
   [[nodiscard]] const std::vector<LinearPhases>& points() const { return points_; }

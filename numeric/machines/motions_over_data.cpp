@@ -69,13 +69,12 @@ std::pair<bool, bool> drops(const model::FrictionOscillator<Rational>& o) {
   return {drops(o.forward), drops(o.backward)};
 }
 
-// Why the numbers of the machine are not known to be linear functions, by those at the points of
-// in_data.hpp's `through`. A polynomial of the second degree that agrees with a linear function there is that
+// Why the numbers of the machine are not known to be linear functions, by those at the points of in_data.hpp. A polynomial of the second degree that agrees with a linear function there is that
 // function, and so is a quotient of two linear functions. A load's multiple that is the same there is so at
 // all, for then its frequency is the only one that varies, or all do.
 std::string why_not_linear(const std::vector<Machine>& points) {
-  const auto& middle = points.front().oscillator;
-  if (has_smooth_law(middle)) {
+  const auto& in_middle = points.front().oscillator;
+  if (has_smooth_law(in_middle)) {
     return "a smooth law of friction";
   }
   std::vector<std::vector<Rational>> numbers;
@@ -83,16 +82,16 @@ std::string why_not_linear(const std::vector<Machine>& points) {
   for (const Machine& point : points) {
     const auto& o = point.oscillator;
     numbers.push_back(numbers_of(o));
-    is_linear = is_linear && numbers.back().size() == numbers.front().size() && have_same_loads(o, middle) &&
-                drops(o) == drops(middle);
+    is_linear = is_linear && numbers.back().size() == numbers.front().size() && have_same_loads(o, in_middle) &&
+                drops(o) == drops(in_middle);
   }
-  for (std::size_t i = 1; i < points.size() && is_linear; ++i) {
-    const auto [j, k] = monomial(i);
-    const auto& at_k = numbers[Monomial{0, k}.place()];
-    const auto& at_j = numbers[Monomial{0, j}.place()];
-    for (std::size_t l = 0; l < at_k.size() && j > 0; ++l) {
-      const Rational sum = at_k[l] + (j == k ? numbers[i][l] : at_j[l]);
-      is_linear = is_linear && sum == numbers[0][l] + (j == k ? numbers[0][l] : numbers[i][l]);
+  for (std::size_t k = 1, first = 1; first < points.size() && is_linear; ++k, first += k) {
+    for (std::size_t l = 0; l < numbers[0].size(); ++l) {
+      const Rational &middle = numbers[0][l], &high = numbers[first][l];
+      is_linear = is_linear && high + numbers[first + k][l] == 2 * middle;
+      for (std::size_t j = 1; j < k; ++j) {
+        is_linear = is_linear && numbers[first + j][l] - high == numbers[j * (j + 1) / 2][l] - middle;
+      }
     }
   }
   return is_linear ? "" : "the machine's numbers do not change linearly with the datum";
@@ -116,22 +115,14 @@ struct Part {
   [[nodiscard]] bool contains(const Values& u) const {
     return std::ranges::all_of(inside(u), [](const Rational& s) { return abs(s) <= 1; });
   }
-  // At the points of `through`.
+  // At the points of in_data.hpp.
   [[nodiscard]] std::vector<Values> points() const {
     std::vector<Values> all;
-    for (std::size_t i = 0; i < monomials(middle.size()); ++i) {
-      const auto [j, k] = monomial(i);
-      Values u = middle;
-      if (j > 0 && j == k) {
-        u[k - 1] -= half[k - 1];
-      } else {
-        for (const std::size_t one : {j, k}) {
-          if (one > 0) {
-            u[one - 1] += half[one - 1];
-          }
-        }
+    for (const std::vector<int>& s : points_of(middle.size())) {
+      Values& u = all.emplace_back(middle);
+      for (std::size_t k = 0; k < s.size(); ++k) {
+        u[k] += s[k] * half[k];
       }
-      all.push_back(u);
     }
     return all;
   }
@@ -331,23 +322,17 @@ class Search {
       found.looked = false;
       return found;
     }
-    const std::vector<Values> points = part.points();
-    std::vector<Nodes> at_points{*middle};
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const auto nodes = reach(part.middle, *middle, points[i], most_halvings_of_way);
-      if (!nodes) {
-        return found;
-      }
-      at_points.push_back(*nodes);
-    }
-    const std::vector<Machine> machines = machines_at(points);
+    const std::vector<Machine> machines = machines_at(part.points());
     const MachineQuestion question{machines.front(), pieces_, periods_, machines};
-    const NodesInData nodes = nodes_through(at_points);
+    const auto nodes = approximate_chains(question, found.middle->nodes);
+    if (!nodes) {
+      return found;
+    }
     std::vector<Known> known;
     for (const std::size_t i : part.known) {
       known.push_back({part.inside(known_[i].s), known_[i].proof});
     }
-    const ChainProof proof = prove_chains(question, nodes, known);
+    const ChainProof proof = prove_chains(question, *nodes, known);
     found.existence = found.state = proof.verdict;
     if (proof.verdict.truth == Truth::proved && !state_) {
       found.state = Verdict::undecided("not asked for");
@@ -357,7 +342,7 @@ class Search {
                           : Verdict::undecided("a condition or the stability is not decided");
     }
     if (found.state.truth != Truth::proved) {
-      found.changes = Chain(question).changes(nodes);
+      found.changes = Chain(question).changes(*nodes);
     }
     return found;
   }
