@@ -32,10 +32,6 @@ constexpr std::size_t most_samples = 5000;
 constexpr std::array fold_distances{16, 19};
 constexpr int most_folds = 8;
 
-bool is_decided(State state) {
-  return state != State::undecided && state != State::admissible;
-}
-
 std::string violated(const MachineOrbit& orbit) {
   const auto found = std::ranges::find_if(
       orbit.conditions, [](const Condition& c) { return c.verdict.truth == Truth::refuted; });

@@ -35,6 +35,10 @@ State state_of(const MachineOrbit& orbit) {
                                            : State::admissible;
 }
 
+bool is_decided(State state) {
+  return state != State::undecided && state != State::admissible;
+}
+
 namespace {
 
 constexpr long bits = 64;
@@ -97,6 +101,14 @@ std::string why_not_linear(const std::vector<Machine>& points) {
   return is_linear ? "" : "the machine's numbers do not change linearly with the datum";
 }
 
+Rational volume_of(const Values& edges) {
+  Rational volume = 1;
+  for (const Rational& edge : edges) {
+    volume *= edge;
+  }
+  return volume;
+}
+
 // A part of the box in coordinates in which the numbers are linear: the data, or their inverses.
 struct Part {
   Values middle, half;
@@ -104,6 +116,7 @@ struct Part {
   std::vector<std::size_t> known = {};  // places of the closed chains that are known in it
   std::size_t near = 0;                 // and of one that may lie beside it
 
+  [[nodiscard]] Rational volume() const { return volume_of(half); }
   // s in it.
   [[nodiscard]] Values inside(const Values& u) const {
     Values s = u;
@@ -139,13 +152,11 @@ struct Part {
 
 class Search {
  public:
-  Search(const DataBox& box, const std::vector<MotionAt>& motions, std::optional<State> state,
-         const Effort& effort)
+  Search(const DataBox& box, const std::vector<MotionAt>& motions, const Effort& effort)
       : box_(box),
-        state_(state),
         effort_(effort),
         periods_(motions.front().guess.periods),
-        wants_state_(state.has_value()) {
+        wants_state_(effort.with_state) {
     for (const MachineGuess::Event& event : motions.front().guess.events) {
       pieces_.push_back(event.begins);
     }
@@ -167,10 +178,10 @@ class Search {
   [[nodiscard]] std::vector<PartOfBox> run() {
     if (!why_.empty()) {
       const auto open = Verdict::undecided(why_);
-      return {{box_.low, box_.high, open, open}};
+      return {{box_.low, box_.high, open, State::undecided}};
     }
     if (const Verdict found = find_width(); found.truth != Truth::proved) {
-      return {{box_.low, box_.high, found, found}};
+      return {{box_.low, box_.high, found, State::undecided}};
     }
     whole_.known.resize(given_);
     std::iota(whole_.known.begin(), whole_.known.end(), 0);
@@ -181,20 +192,19 @@ class Search {
       const bool ends = interrupted() || looked_at >= effort_.most_parts ||
                         (!effort_.to_the_end && gave_up_);
       const auto found = parallel_map(now.size(), [&](std::size_t i) {
-        return ends ? Found{Verdict::undecided(interrupted() ? "interrupted" : "not looked at"), {}, {}, {}, false}
-                    : look(now[i]);
+        return ends ? Found{Verdict::undecided(interrupted() ? "interrupted" : "not looked at")} : look(now[i]);
       });
       next.clear();
       for (std::size_t i = 0; i < now.size(); ++i) {
         looked_at += found[i].looked ? 1 : 0;
         const bool exists = found[i].existence.truth == Truth::proved;
-        const bool is_done = exists && (found[i].state.truth == Truth::proved || !wants_state_);
-        width_ = is_done ? now[i].half : width_;
+        const bool is_done = exists && (is_decided(found[i].state) || !wants_state_);
+        width_ = is_done && now[i].volume() > volume_of(width_) ? now[i].half : width_;
         const auto datum = ends || is_done ? std::nullopt : to_halve(now[i], found[i]);
         if (!datum) {
           done.push_back({now[i], found[i]});
           gave_up_ = gave_up_ || !exists;
-          wants_state_ = wants_state_ && (effort_.to_the_end || found[i].state.truth == Truth::proved);
+          wants_state_ = wants_state_ && (effort_.to_the_end || is_decided(found[i].state));
           continue;
         }
         halve(now[i], *datum, found[i].middle, next);
@@ -206,10 +216,11 @@ class Search {
 
  private:
   struct Found {
-    Verdict existence, state;
-    std::optional<ChainProof> middle;  // the closed chain in the middle
-    std::vector<double> changes;       // with each datum
-    bool looked = true;
+    Verdict existence;
+    State state = State::undecided;
+    bool looked = false;
+    std::optional<ChainProof> middle = {};  // the closed chain in the middle
+    std::vector<double> changes = {};       // with each datum
   };
   struct Done {
     Part part;
@@ -263,11 +274,11 @@ class Search {
     for (part.known = {0}; !interrupted();) {
       const Found found = look(part);
       const bool exists = found.existence.truth == Truth::proved;
-      if (exists && (width_.empty() || found.state.truth == Truth::proved)) {
+      if (exists && (width_.empty() || is_decided(found.state))) {
         width_ = part.half;
       }
       const auto datum = to_halve(part, found);
-      if (!datum || found.state.truth == Truth::proved || (exists && !wants_state_)) {
+      if (!datum || is_decided(found.state) || (exists && !wants_state_)) {
         return width_.empty() ? found.existence : Verdict::proved();
       }
       const auto [low, high] = part.halved(*datum);
@@ -304,10 +315,7 @@ class Search {
 
   [[nodiscard]] Found look(const Part& part) const {
     const WorkingPrecision scope(bits);
-    const auto open = [](const std::string& why) {
-      const auto verdict = Verdict::undecided(why);
-      return Found{verdict, verdict, {}, {}, true};
-    };
+    const auto open = [](const std::string& why) { return Found{Verdict::undecided(why), State::undecided, true}; };
     const Known& near = known_[part.near];
     const auto middle = reach(near.s, near.proof.nodes, part.middle, most_halvings_of_way);
     if (!middle) {
@@ -333,15 +341,11 @@ class Search {
       known.push_back({part.inside(known_[i].s), known_[i].proof});
     }
     const ChainProof proof = prove_chains(question, *nodes, known);
-    found.existence = found.state = proof.verdict;
-    if (proof.verdict.truth == Truth::proved && !state_) {
-      found.state = Verdict::undecided("not asked for");
-    } else if (proof.verdict.truth == Truth::proved && wants_state_) {
-      const bool is_so = state_of(decided(question, proof)) == *state_;
-      found.state = is_so ? Verdict::proved()
-                          : Verdict::undecided("a condition or the stability is not decided");
+    found.existence = proof.verdict;
+    if (proof.verdict.truth == Truth::proved && wants_state_) {
+      found.state = state_of(decided(question, proof));
     }
-    if (found.state.truth != Truth::proved) {
+    if (!is_decided(found.state)) {
       found.changes = Chain(question).changes(*nodes);
     }
     return found;
@@ -411,13 +415,12 @@ class Search {
       const auto apart = Verdict::undecided("no way through parts that are proved leads there from the motion");
       const bool is_apart = found.existence.truth == Truth::proved && !is_joined[i];
       parts.push_back({inverted(low), inverted(high), is_apart ? apart : found.existence,
-                       is_apart ? apart : found.state});
+                       is_apart ? State::undecided : found.state});
     }
     return parts;
   }
 
   const DataBox& box_;
-  std::optional<State> state_;
   Effort effort_;
   long periods_;
   std::vector<Piece> pieces_;
@@ -426,32 +429,37 @@ class Search {
   Part whole_;
   std::vector<Known> known_;  // s being coordinates of the box
   std::size_t given_ = 0;
-  Values width_;  // half of that of the part that was proved last
+  Values width_;  // half of that of the largest part that was proved
   bool gave_up_ = false, wants_state_;
 };
 
 }  // namespace
 
 std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
-                                    std::optional<State> state, const Effort& effort) {
+                                    const Effort& effort) {
   for (const MotionAt& motion : motions) {
     if (!std::ranges::equal(motion.guess.events, motions.front().guess.events, {}, &MachineGuess::Event::begins,
                             &MachineGuess::Event::begins)) {
-      const auto other = Verdict::undecided("the motions are not through the same phases");
-      return {{box.low, box.high, other, other}};
+      return {{box.low, box.high, Verdict::undecided("the motions are not through the same phases"),
+               State::undecided}};
     }
   }
-  return Search(box, motions, state, effort).run();
+  return Search(box, motions, effort).run();
 }
 
 Joint joint_between(const std::function<Machine(const Rational&)>& at, const MotionAt& a, const MotionAt& b,
                     std::optional<State> state) {
   const auto ordered = a.values < b.values ? std::pair(a.values, b.values) : std::pair(b.values, a.values);
   const DataBox box{[&](const Values& values) { return at(values.front()); }, ordered.first, ordered.second};
+  const Effort effort{.most_halvings = 12, .most_parts = 1L << 13, .with_state = state.has_value(), .to_the_end = false};
   Joint joint{Verdict::proved(), Verdict::proved()};
-  for (const PartOfBox& part : motions_over(box, {a, b}, state, {12, 1L << 13, false})) {
-    joint.existence = joint.existence.truth == Truth::proved ? part.existence : joint.existence;
-    joint.state = joint.state.truth == Truth::proved ? part.state : joint.state;
+  for (const PartOfBox& part : motions_over(box, {a, b}, effort)) {
+    if (part.existence.truth != Truth::proved) {
+      return {part.existence, part.existence};
+    }
+    if (!state || part.state != *state) {
+      joint.state = Verdict::undecided("a condition or the stability is not decided");
+    }
   }
   return joint;
 }

@@ -16,8 +16,9 @@
 
 namespace stickslip::numeric::machines {
 
-// What the motion is, by what is proved of it.
+// What the motion is, by what is proved of it, and whether that is all there is to ask.
 [[nodiscard]] branches::State state_of(const MachineOrbit& orbit);
+[[nodiscard]] bool is_decided(branches::State state);
 
 using Values = std::vector<Rational>;  // of the data
 
@@ -41,22 +42,22 @@ struct PartOfBox {
   // continuously on the data, and are one family with those of all other parts of which that is proved and
   // with the given motions in the part".
   Verdict existence;
-  // Of "and each of them is in that state", where one is asked for.
-  Verdict state;
+  // Each of them is in it, by proof; where it is asked for.
+  branches::State state = branches::State::undecided;
 };
 
 struct Effort {
-  int most_halvings;      // of one datum
-  long most_parts;        // that are looked at
-  bool to_the_end = true;  // else no more once existence or, where that is all that is open, the state of a part
-                          // stays undecided
+  int most_halvings;     // of one datum
+  long most_parts;       // that are looked at
+  bool with_state = true;
+  bool to_the_end = true;  // else no more once a part stays undecided
 };
 
 // The parts make up the box. `motions`: of one family as far as it is known, at least one, all through the
 // same phases. Undecided where the numbers, or those at inverse values, are not linear functions of the data,
-// with smooth laws of friction, and where parts would be smaller than the effort allows.
+// with smooth laws of friction, and where parts would be smaller than the effort allows; where only a state
+// stays undecided and it is not to the end, no more states are asked for.
 [[nodiscard]] std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
-                                                  std::optional<branches::State> state,
                                                   const Effort& effort);
 
 // Of all parts.
