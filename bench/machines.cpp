@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/machines.hpp"
-#include "numeric/machines/motions_over_data.hpp"
 #include "numeric/machines/machine_attractors.hpp"
+#include "numeric/machines/motions_over_data.hpp"
 #include "numeric/machines/settle.hpp"
 
 namespace stickslip::bench {

@@ -193,9 +193,9 @@ Chain::Course Chain::course(const NodesInData& nodes, std::size_t i) const {
   const std::size_t following = (i + 1) % size();
   std::vector<Matrix> events;
   for (std::size_t p = 0; p < phases_.points().size(); ++p) {
-    events.emplace_back(event_between(phases_.points()[p], pieces_[i], pieces_[following],
-                                      speeds_at_points_[p][following])
-                            .transpose());
+    events.emplace_back(
+        event_between(phases_.points()[p], pieces_[i], pieces_[following], speeds_at_points_[p][following])
+            .transpose());
   }
   const InData<Matrix> flow = phases_.flow(pieces_[i], duration(nodes, i)), begin = beginning(nodes, i);
   return {flow, begin, flow * begin, through(events)};
@@ -205,7 +205,8 @@ InData<Matrix> Chain::conditions(const NodesInData& nodes, std::size_t i) const 
   const Eigen::Index n = phases_.masses();
   const Course phase = course(nodes, i);
   InData<Matrix> apart = mapped(phase.reached, [&](const Matrix& w) { return Matrix(-without(w)); });
-  apart += mapped(nodes[(i + 1) % size()], [&](const Matrix& node) { return Matrix(node.bottomRows(2 * n - 1)); });
+  apart +=
+      mapped(nodes[(i + 1) % size()], [&](const Matrix& node) { return Matrix(node.bottomRows(2 * n - 1)); });
   const auto at = [&](Eigen::Index row, const Matrix& x) {
     Matrix F = Matrix::Constant(2 * n, 1, Ball(0));
     F.middleRows(row, x.rows()) = x;
@@ -240,9 +241,8 @@ Link Chain::link(const NodesInData& nodes, std::size_t i) const {
   InData<Matrix> late = mapped(phase.event, left) * state;
   late += by_time(mapped(phase.event, from_loads) * mapped(arrives, of_loads));
   const InData<Ball> rate = mapped(phase.event * arrives, [](const Matrix& x) { return x(0, 0); });
-  const InData<Matrix> longer = product(late, reciprocal(rate), [](const Matrix& row, const Ball& x) {
-    return Matrix(row * Ball(-x));
-  });
+  const InData<Matrix> longer = product(
+      late, reciprocal(rate), [](const Matrix& row, const Ball& x) { return Matrix(row * Ball(-x)); });
   state += mapped(arrives, top) * longer;
   InData<Matrix> times = longer;
   times += InData<Matrix>(time);

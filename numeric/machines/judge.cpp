@@ -30,7 +30,8 @@ Ball largest(const Vector& v, const Vector& weights) {
 
 }  // namespace
 
-Watched::Watched(const LinearPhases& phases, Piece piece, const InData<Matrix>& w, const Ball& T, bool reversed)
+Watched::Watched(const LinearPhases& phases, Piece piece, const InData<Matrix>& w, const Ball& T,
+                 bool reversed)
     : phases_(phases), piece_(piece), reversed_(reversed), covers_(false) {
   if (phases.is_smooth(piece)) {
     follow(phases, piece, w.all(), T);
@@ -338,9 +339,11 @@ class Judge {
 
   void stick() {
     constexpr const char * premise = "$r = ur$ at the end of the stick";
-    along("stick.upper", "$r < ur$ while it sticks", -1, in_data([](const auto& o) { return o.forward.at_rest; }),
+    along("stick.upper", "$r < ur$ while it sticks", -1,
+          in_data([](const auto& o) { return o.forward.at_rest; }),
           {false, phase_.after && phase_.after->kind == PhaseKind::slip}, premise);
-    along("stick.lower", "$r > -ur$ while it sticks", 1, in_data([](const auto& o) { return o.backward.at_rest; }),
+    along("stick.lower", "$r > -ur$ while it sticks", 1,
+          in_data([](const auto& o) { return o.backward.at_rest; }),
           {false, phase_.after && phase_.after->kind == PhaseKind::overshoot}, premise);
   }
 
@@ -390,8 +393,8 @@ class Judge {
 
   [[nodiscard]] InData<Ball> in_data(const auto& of) const { return linear_.number(of); }
 
-  void along(const char * id, const std::string& statement, int sign, const InData<Ball>& offset, Touches touches,
-             const char * premise, double from = 0) {
+  void along(const char * id, const std::string& statement, int sign, const InData<Ball>& offset,
+             Touches touches, const char * premise, double from = 0) {
     add(id, statement);
     judge_along(list_.back(),
                 {AffineCourse(forward_, sign, offset, {0, from, 1}), AffineCourse(backward_, sign, offset),

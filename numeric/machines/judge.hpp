@@ -25,8 +25,8 @@ class Watched {
   [[nodiscard]] std::array<Ball, 4> at(const Ball& s, std::size_t derivative = 0,
                                        const InData<Ball>& offset = InData<Ball>(Ball(0))) const;
   [[nodiscard]] std::array<double, 4> guess_at(double s, std::size_t derivative = 0) const;
-  // Of (f - f(0))/s, f that derivative, itself and its first two derivatives; nothing beyond the first stretch
-  // and on a smooth law.
+  // Of (f - f(0))/s, f that derivative, itself and its first two derivatives; nothing beyond the first
+  // stretch and on a smooth law.
   [[nodiscard]] std::optional<std::array<Ball, 3>> quotient_at(double s, std::size_t derivative) const;
   // Of its third and fourth over [0, T].
   [[nodiscard]] motion::DerivativeBounds bounds(std::size_t derivative = 0) const;
@@ -35,10 +35,10 @@ class Watched {
 
  private:
   struct Stretch {
-    double start, length;     // exact
-    InData<Matrix> w;         // at its beginning, where it is linear
-    InData<Vector> terms;     // the Taylor coefficients there
-    Vector all;               // of these
+    double start, length;  // exact
+    InData<Matrix> w;      // at its beginning, where it is linear
+    InData<Vector> terms;  // the Taylor coefficients there
+    Vector all;            // of these
     std::vector<double> guess;
     LinearPhases::Rest rest;  // what they leave out of the function and its derivatives is not more
   };
@@ -65,7 +65,8 @@ class AffineCourse : public motion::Course {
     double origin = 0;
     int direction = 1;
   };
-  AffineCourse(const Watched& f, int sign, const InData<Ball>& offset) : AffineCourse(f, sign, offset, View{}) {}
+  AffineCourse(const Watched& f, int sign, const InData<Ball>& offset)
+      : AffineCourse(f, sign, offset, View{}) {}
   AffineCourse(const Watched& f, int sign, const InData<Ball>& offset, View view)
       : f_(f),
         sign_(sign),

@@ -432,9 +432,9 @@ InData<Matrix> LinearPhases::flow(Piece piece, const InData<Ball>& h) const {
   if (is_zero(d.all())) {
     return known.in_data;
   }
-  return known.in_data *
-         exponential(product(drift_in_data(piece), d, [](const Matrix& B, const Ball& x) { return Matrix(B * x); }),
-                     units_);
+  return known.in_data * exponential(product(drift_in_data(piece), d,
+                                             [](const Matrix& B, const Ball& x) { return Matrix(B * x); }),
+                                     units_);
 }
 
 Matrix LinearPhases::flow_at(Piece piece, const Ball& t) const {

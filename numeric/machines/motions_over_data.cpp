@@ -73,9 +73,10 @@ std::pair<bool, bool> drops(const model::FrictionOscillator<Rational>& o) {
   return {drops(o.forward), drops(o.backward)};
 }
 
-// Why the numbers of the machine are not known to be linear functions, by those at the points of in_data.hpp. A polynomial of the second degree that agrees with a linear function there is that
-// function, and so is a quotient of two linear functions. A load's multiple that is the same there is so at
-// all, for then its frequency is the only one that varies, or all do.
+// Why the numbers of the machine are not known to be linear functions, by those at the points of in_data.hpp.
+// A polynomial of the second degree that agrees with a linear function there is that function, and so is a
+// quotient of two linear functions. A load's multiple that is the same there is so at all, for then its
+// frequency is the only one that varies, or all do.
 std::string why_not_linear(const std::vector<Machine>& points) {
   const auto& in_middle = points.front().oscillator;
   if (has_smooth_law(in_middle)) {
@@ -86,8 +87,8 @@ std::string why_not_linear(const std::vector<Machine>& points) {
   for (const Machine& point : points) {
     const auto& o = point.oscillator;
     numbers.push_back(numbers_of(o));
-    is_linear = is_linear && numbers.back().size() == numbers.front().size() && have_same_loads(o, in_middle) &&
-                drops(o) == drops(in_middle);
+    is_linear = is_linear && numbers.back().size() == numbers.front().size() &&
+                have_same_loads(o, in_middle) && drops(o) == drops(in_middle);
   }
   for (std::size_t k = 1, first = 1; first < points.size() && is_linear; ++k, first += k) {
     for (std::size_t l = 0; l < numbers[0].size(); ++l) {
@@ -153,10 +154,7 @@ struct Part {
 class Search {
  public:
   Search(const DataBox& box, const std::vector<MotionAt>& motions, const Effort& effort)
-      : box_(box),
-        effort_(effort),
-        periods_(motions.front().guess.periods),
-        wants_state_(effort.with_state) {
+      : box_(box), effort_(effort), periods_(motions.front().guess.periods), wants_state_(effort.with_state) {
     for (const MachineGuess::Event& event : motions.front().guess.events) {
       pieces_.push_back(event.begins);
     }
@@ -166,8 +164,9 @@ class Search {
     }
     for (const MotionAt& motion : motions) {
       const Machine machine = box_.at(motion.values);
-      known_.push_back({inverted(motion.values),
-                        prove_chain({machine, pieces_, periods_}, nodes_of(motion.guess, machine), bits, 8 * bits)});
+      known_.push_back(
+          {inverted(motion.values),
+           prove_chain({machine, pieces_, periods_}, nodes_of(motion.guess, machine), bits, 8 * bits)});
       if (known_.back().proof.verdict.truth != Truth::proved) {
         why_ = known_.back().proof.verdict.reason;
       }
@@ -189,10 +188,10 @@ class Search {
     long looked_at = 0;
     std::vector<Part> now{whole_}, next;
     while (!now.empty()) {
-      const bool ends = interrupted() || looked_at >= effort_.most_parts ||
-                        (!effort_.to_the_end && gave_up_);
+      const bool ends = interrupted() || looked_at >= effort_.most_parts || (!effort_.to_the_end && gave_up_);
       const auto found = parallel_map(now.size(), [&](std::size_t i) {
-        return ends ? Found{Verdict::undecided(interrupted() ? "interrupted" : "not looked at")} : look(now[i]);
+        return ends ? Found{Verdict::undecided(interrupted() ? "interrupted" : "not looked at")}
+                    : look(now[i]);
       });
       next.clear();
       for (std::size_t i = 0; i < now.size(); ++i) {
@@ -236,7 +235,8 @@ class Search {
   [[nodiscard]] Machine machine_at(const Values& u) const { return box_.at(inverted(u)); }
   [[nodiscard]] std::vector<Machine> machines_at(const std::vector<Values>& points) const {
     std::vector<Machine> machines;
-    std::ranges::transform(points, std::back_inserter(machines), [&](const Values& u) { return machine_at(u); });
+    std::ranges::transform(points, std::back_inserter(machines),
+                           [&](const Values& u) { return machine_at(u); });
     return machines;
   }
   [[nodiscard]] Part between(const Values& low, const Values& high) const {
@@ -315,7 +315,9 @@ class Search {
 
   [[nodiscard]] Found look(const Part& part) const {
     const WorkingPrecision scope(bits);
-    const auto open = [](const std::string& why) { return Found{Verdict::undecided(why), State::undecided, true}; };
+    const auto open = [](const std::string& why) {
+      return Found{Verdict::undecided(why), State::undecided, true};
+    };
     const Known& near = known_[part.near];
     const auto middle = reach(near.s, near.proof.nodes, part.middle, most_halvings_of_way);
     if (!middle) {
@@ -368,7 +370,8 @@ class Search {
   }
 
   // Both halves have the closed chain in the middle.
-  void halve(const Part& part, std::size_t datum, const std::optional<ChainProof>& middle, std::vector<Part>& into) {
+  void halve(const Part& part, std::size_t datum, const std::optional<ChainProof>& middle,
+             std::vector<Part>& into) {
     auto [low, high] = part.halved(datum);
     if (middle) {
       known_.push_back({part.middle, *middle});
@@ -412,7 +415,8 @@ class Search {
           low[k].swap(high[k]);
         }
       }
-      const auto apart = Verdict::undecided("no way through parts that are proved leads there from the motion");
+      const auto apart =
+          Verdict::undecided("no way through parts that are proved leads there from the motion");
       const bool is_apart = found.existence.truth == Truth::proved && !is_joined[i];
       parts.push_back({inverted(low), inverted(high), is_apart ? apart : found.existence,
                        is_apart ? State::undecided : found.state});
@@ -438,8 +442,8 @@ class Search {
 std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
                                     const Effort& effort) {
   for (const MotionAt& motion : motions) {
-    if (!std::ranges::equal(motion.guess.events, motions.front().guess.events, {}, &MachineGuess::Event::begins,
-                            &MachineGuess::Event::begins)) {
+    if (!std::ranges::equal(motion.guess.events, motions.front().guess.events, {},
+                            &MachineGuess::Event::begins, &MachineGuess::Event::begins)) {
       return {{box.low, box.high, Verdict::undecided("the motions are not through the same phases"),
                State::undecided}};
     }
@@ -451,7 +455,8 @@ Joint joint_between(const std::function<Machine(const Rational&)>& at, const Mot
                     std::optional<State> state) {
   const auto ordered = a.values < b.values ? std::pair(a.values, b.values) : std::pair(b.values, a.values);
   const DataBox box{[&](const Values& values) { return at(values.front()); }, ordered.first, ordered.second};
-  const Effort effort{.most_halvings = 12, .most_parts = 1L << 13, .with_state = state.has_value(), .to_the_end = false};
+  const Effort effort{
+      .most_halvings = 12, .most_parts = 1L << 13, .with_state = state.has_value(), .to_the_end = false};
   Joint joint{Verdict::proved(), Verdict::proved()};
   for (const PartOfBox& part : motions_over(box, {a, b}, effort)) {
     if (part.existence.truth != Truth::proved) {

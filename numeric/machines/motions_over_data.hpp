@@ -47,8 +47,8 @@ struct PartOfBox {
 };
 
 struct Effort {
-  int most_halvings;     // of one datum
-  long most_parts;       // that are looked at
+  int most_halvings;  // of one datum
+  long most_parts;    // that are looked at
   bool with_state = true;
   bool to_the_end = true;  // else no more once a part stays undecided
 };

@@ -251,10 +251,9 @@ Eigen::Index SetFlow::known_row(const SetOfMotions& set) const {
 Verdict SetFlow::judge(const SetOfMotions& set, const Ball& duration, const std::optional<Piece>& after,
                        const SetOfMotions& end) const {
   std::vector<motion::Condition> conditions;
-  judge_phase(
-      conditions, phases_, machine_.oscillator,
-      {set.before, set.piece, after, set.time(), duration, InData<Matrix>(Matrix(whole(set.all.value))),
-       InData<Matrix>(Matrix(whole(end.all.value)))});
+  judge_phase(conditions, phases_, machine_.oscillator,
+              {set.before, set.piece, after, set.time(), duration,
+               InData<Matrix>(Matrix(whole(set.all.value))), InData<Matrix>(Matrix(whole(end.all.value)))});
   for (const motion::Condition& condition : conditions) {
     if (condition.verdict.truth != Truth::proved) {
       return Verdict::undecided(condition.statement + ": " + condition.verdict.reason);

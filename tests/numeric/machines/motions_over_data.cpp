@@ -90,9 +90,10 @@ struct Box {
     return machines;
   }
   [[nodiscard]] std::vector<std::vector<Rational>> some_inside() const {
-    return of.size() == 1 ? std::vector<std::vector<Rational>>{{-1}, {Rational("-7/11")}, {0}, {Rational("1/5")}, {1}}
-                          : std::vector<std::vector<Rational>>{
-                                {-1, 1}, {Rational("-7/11"), Rational("1/3")}, {1, -1}, {-1, -1}, {0, Rational("1/5")}};
+    return of.size() == 1
+               ? std::vector<std::vector<Rational>>{{-1}, {Rational("-7/11")}, {0}, {Rational("1/5")}, {1}}
+               : std::vector<std::vector<Rational>>{
+                     {-1, 1}, {Rational("-7/11"), Rational("1/3")}, {1, -1}, {-1, -1}, {0, Rational("1/5")}};
   }
 };
 // One by one, and some two of them.
@@ -102,7 +103,8 @@ std::vector<Box> boxes(const char * share) {
     all.push_back({{datum}, parse_rational(share)});
   }
   for (const auto& [i, k] : {std::pair{1, 4}, {2, 4}, {0, 7}, {3, 5}}) {
-    all.push_back({{data()[static_cast<std::size_t>(i)], data()[static_cast<std::size_t>(k)]}, parse_rational(share)});
+    all.push_back(
+        {{data()[static_cast<std::size_t>(i)], data()[static_cast<std::size_t>(k)]}, parse_rational(share)});
   }
   return all;
 }
@@ -197,10 +199,11 @@ TEST_CASE("the polynomial through values is that of the second degree") {
   const auto f = [](double a, double b, double c) {
     return Ball(3 - a + 2 * b + 5 * c + a * a - b * b + 0.5 * a * b - 7 * b * c + 0.25 * a * c);
   };
-  const InData<Ball> found = through<Ball>({f(0, 0, 0), f(1, 0, 0), f(-1, 0, 0), f(0, 1, 0), f(1, 1, 0), f(0, -1, 0),
-                                            f(0, 0, 1), f(1, 0, 1), f(0, 1, 1), f(0, 0, -1)});
+  const InData<Ball> found = through<Ball>({f(0, 0, 0), f(1, 0, 0), f(-1, 0, 0), f(0, 1, 0), f(1, 1, 0),
+                                            f(0, -1, 0), f(0, 0, 1), f(1, 0, 1), f(0, 1, 1), f(0, 0, -1)});
   CHECK(found.data() == 3);
-  for (const auto& [a, b, c] : {std::tuple{-1.0, -1.0, 1.0}, {0.5, -0.25, 1.0}, {-1.0, 1.0, 1.0}, {0.0, 0.75, -1.0}}) {
+  for (const auto& [a, b, c] :
+       {std::tuple{-1.0, -1.0, 1.0}, {0.5, -0.25, 1.0}, {-1.0, 1.0, 1.0}, {0.0, 0.75, -1.0}}) {
     CHECK(found.at({Ball(a), Ball(b), Ball(c)}).contains(f(a, b, c)));
   }
   CHECK(found.rest.radius().approximate() < 1e-15);
@@ -529,12 +532,12 @@ TEST_CASE("a box of data is divided by what the motion is") {
   };
   // Below 3.5878224, where the dashpot is as it is, r reaches ur while it sticks.
   const Values start{parse_rational("3.588"), dashpot.value};
-  const DataBox box{at, {parse_rational("3.5876"), Rational(dashpot.value * Rational("999/1000"))},
+  const DataBox box{at,
+                    {parse_rational("3.5876"), Rational(dashpot.value * Rational("999/1000"))},
                     {parse_rational("3.5882"), Rational(dashpot.value * Rational("1001/1000"))}};
   const MachineOrbit there = prove_machine_orbit(at(start), guess_of(orbit, engineers()));
   REQUIRE(state_of(there) == branches::State::stable);
-  const auto parts =
-      motions_over(box, {{start, guess_of(there, at(start))}}, {6, 400});
+  const auto parts = motions_over(box, {{start, guess_of(there, at(start))}}, {6, 400});
   Rational stable = 0, inadmissible = 0, whole = 0;
   for (const PartOfBox& part : parts) {
     const Rational area = (part.high[0] - part.low[0]) * (part.high[1] - part.low[1]);
