@@ -1,5 +1,7 @@
 #include "numeric/machines/motions_over_data.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -7,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
 
@@ -441,6 +444,19 @@ class Search {
 
 std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
                                     const Effort& effort) {
+  const std::size_t data = box.low.size();
+  if (data == 0 || data > most_data) {
+    throw DomainError("the data of a box", fmt::format("{} of them", data),
+                      fmt::format("1 to {}", most_data));
+  }
+  // Numbers that are in order at all corners are so in between.
+  for (std::size_t corner = 0; corner < (std::size_t{1} << data); ++corner) {
+    Values values = box.low;
+    for (std::size_t k = 0; k < data; ++k) {
+      values[k] = (corner >> k) % 2 == 0 ? box.low[k] : box.high[k];
+    }
+    require_machine(box.at(values));
+  }
   for (const MotionAt& motion : motions) {
     if (!std::ranges::equal(motion.guess.events, motions.front().guess.events, {},
                             &MachineGuess::Event::begins, &MachineGuess::Event::begins)) {

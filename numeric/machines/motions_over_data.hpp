@@ -56,7 +56,8 @@ struct Effort {
 // The parts make up the box. `motions`: of one family as far as it is known, at least one, all through the
 // same phases. Undecided where the numbers, or those at inverse values, are not linear functions of the data,
 // with smooth laws of friction, and where parts would be smaller than the effort allows; where only a state
-// stays undecided and it is not to the end, no more states are asked for.
+// stays undecided and it is not to the end, no more states are asked for. Throws as require_machine does, for
+// the machines at the corners of the box, and DomainError for more than eight data.
 [[nodiscard]] std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
                                                   const Effort& effort);
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/decimal.hpp"
+#include "core/error.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/machines/neighbourhoods.hpp"
 
@@ -520,6 +521,15 @@ TEST_CASE("a box of two data is proved in parts that make it up, and is what sin
     CHECK(part.existence.truth == Truth::proved);
     CHECK(part.state == branches::State::undecided);
   }
+}
+
+TEST_CASE("a box with a machine that is none is refused") {
+  const MachineGuess guess = guess_of(orbit_of(engineers()), engineers());
+  const Datum mass = data()[4];
+  const DataBox box{
+      [&](const Values& values) { return with(mass, values[0]); }, {Rational(0)}, {Rational(1)}};
+  CHECK_THROWS_AS((void)motions_over(box, {{{mass.value}, guess}}, {12, 10}), DomainError);
+  CHECK_THROWS_AS((void)motions_over({box.at, {}, {}}, {{{}, guess}}, {12, 10}), DomainError);
 }
 
 TEST_CASE("a box of data is divided by what the motion is") {
