@@ -55,7 +55,7 @@ void joint(benchmark::State& state, const Machine& machine, const Eigen::VectorX
   const MotionAt a = motion(V), b = motion(Rational(V + V / 100000));
   Joint found;
   for (auto _ : state) {
-    found = joint_between(at, a, b, numeric::branches::State::stable);
+    found = joints_between(at, {a, b}, numeric::branches::State::stable).front();
   }
   require_proved(state, found.state);
 }

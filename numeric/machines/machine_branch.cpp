@@ -298,31 +298,65 @@ std::string which_multiplier(const motion::Stability& unstable) {
              : "beyond, multipliers are outside of the unit circle";
 }
 
-Joint joint_of(const MachineBranchQuestion& q, const MachineSample& a, const MachineSample& b) {
-  if (is_fold(a, b)) {
-    const auto turns = Verdict::undecided("the branch turns back");
-    return {turns, turns};
-  }
-  // With the times of one load's phase, which may have passed 0.
-  const Machine at_a = q.at(a.value), at_b = q.at(b.value);
-  const MachineGuess first = guess_of(a.orbit, at_a);
-  MachineGuess second = guess_of(b.orbit, at_b);
-  if (!at_a.oscillator.is_autonomous()) {
-    const double turn = second.duration / static_cast<double>(second.periods);
-    const double turns = std::round((second.events[0].t - first.events[0].t) / turn);
-    for (MachineGuess::Event& event : second.events) {
-      event.t -= turns * turn;
+// Of each sample and the next: all of one state after each other at once.
+std::vector<Joint> joints_of(const MachineBranchQuestion& q, const std::vector<MachineSample>& samples) {
+  struct Run {
+    std::size_t first, last;
+  };
+  std::vector<Run> runs;
+  const auto goes_on = [&](std::size_t k) {  // from sample k to the next as to it
+    const MachineSample &before = samples[k - 1], &here = samples[k], &next = samples[k + 1];
+    return before.state == here.state && here.state == next.state && !is_fold(before, here) &&
+           !is_fold(here, next) && (before.value < here.value) == (here.value < next.value);
+  };
+  for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
+    if (k > 0 && goes_on(k)) {
+      runs.back().last = k + 1;
+    } else {
+      runs.push_back({k, k + 1});
     }
   }
-  const bool has_state = a.state == b.state && is_decided(a.state);
-  Joint joint = joint_between(q.at, {{a.value}, first}, {{b.value}, second},
-                              has_state ? std::optional(a.state) : std::nullopt);
-  if (a.state != b.state) {
-    joint.state = Verdict::undecided("the state changes");
-  } else if (!is_decided(a.state)) {
-    joint.state = Verdict::undecided("the state is not decided");
+  const auto found = parallel_map(runs.size(), [&](std::size_t r) {
+    const auto [first, last] = runs[r];
+    const MachineSample& a = samples[first];
+    const auto all = [&](const char * why) {
+      const auto verdict = Verdict::undecided(why);
+      return std::vector<Joint>(last - first, {verdict, verdict});
+    };
+    if (is_fold(a, samples[last])) {
+      return all("the branch turns back");
+    }
+    std::vector<MotionAt> motions;
+    for (std::size_t k = first; k <= last; ++k) {
+      const Machine machine = q.at(samples[k].value);
+      motions.push_back({{samples[k].value}, guess_of(samples[k].orbit, machine)});
+      if (k > first && !machine.oscillator.is_autonomous()) {
+        // With the times of one load's phase, which may have passed 0.
+        MachineGuess& guess = motions.back().guess;
+        const double turn = guess.duration / static_cast<double>(guess.periods);
+        const double turns =
+            std::round((guess.events[0].t - motions[motions.size() - 2].guess.events[0].t) / turn);
+        for (MachineGuess::Event& event : guess.events) {
+          event.t -= turns * turn;
+        }
+      }
+    }
+    const bool has_state = a.state == samples[last].state && is_decided(a.state);
+    std::vector<Joint> joints =
+        joints_between(q.at, motions, has_state ? std::optional(a.state) : std::nullopt);
+    for (Joint& joint : joints) {
+      if (!has_state) {
+        joint.state = Verdict::undecided(a.state == samples[last].state ? "the state is not decided"
+                                                                        : "the state changes");
+      }
+    }
+    return joints;
+  });
+  std::vector<Joint> joints;
+  for (const std::vector<Joint>& run : found) {
+    joints.insert(joints.end(), run.begin(), run.end());
   }
-  return joint;
+  return joints;
 }
 
 // What changes between two neighbours, by what is proved of both; nothing that could be named.
@@ -414,9 +448,7 @@ MachineBranch follow_machine_branch(const MachineBranchQuestion& question) {
     }
   }
   if (question.without_gaps) {
-    branch.joints = parallel_map(branch.samples.size() - 1, [&](std::size_t k) {
-      return joint_of(question, branch.samples[k], branch.samples[k + 1]);
-    });
+    branch.joints = joints_of(question, branch.samples);
   }
   branch.interrupted = interrupted();
   return branch;

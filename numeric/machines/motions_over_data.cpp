@@ -157,7 +157,7 @@ struct Part {
 class Search {
  public:
   Search(const DataBox& box, const std::vector<MotionAt>& motions, const Effort& effort)
-      : box_(box), effort_(effort), periods_(motions.front().guess.periods), wants_state_(effort.with_state) {
+      : box_(box), effort_(effort), periods_(motions.front().guess.periods) {
     for (const MachineGuess::Event& event : motions.front().guess.events) {
       pieces_.push_back(event.begins);
     }
@@ -165,14 +165,14 @@ class Search {
     if (!why_.empty()) {
       return;
     }
-    for (const MotionAt& motion : motions) {
+    known_ = parallel_map(motions.size(), [&](std::size_t i) {
+      const MotionAt& motion = motions[i];
       const Machine machine = box_.at(motion.values);
-      known_.push_back(
-          {inverted(motion.values),
-           prove_chain({machine, pieces_, periods_}, nodes_of(motion.guess, machine), bits, 8 * bits)});
-      if (known_.back().proof.verdict.truth != Truth::proved) {
-        why_ = known_.back().proof.verdict.reason;
-      }
+      return Known{inverted(motion.values), prove_chain({machine, pieces_, periods_},
+                                                        nodes_of(motion.guess, machine), bits, 8 * bits)};
+    });
+    for (const Known& one : known_) {
+      why_ = one.proof.verdict.truth == Truth::proved ? why_ : one.proof.verdict.reason;
     }
     given_ = known_.size();
   }
@@ -182,16 +182,17 @@ class Search {
       const auto open = Verdict::undecided(why_);
       return {{box_.low, box_.high, open, State::undecided}};
     }
+    whole_.known.resize(given_);
+    std::iota(whole_.known.begin(), whole_.known.end(), 0);
+    whole_.near = given_ / 2;
     if (const Verdict found = find_width(); found.truth != Truth::proved) {
       return {{box_.low, box_.high, found, State::undecided}};
     }
-    whole_.known.resize(given_);
-    std::iota(whole_.known.begin(), whole_.known.end(), 0);
     std::vector<Done> done;
     long looked_at = 0;
     std::vector<Part> now{whole_}, next;
     while (!now.empty()) {
-      const bool ends = interrupted() || looked_at >= effort_.most_parts || (!effort_.to_the_end && gave_up_);
+      const bool ends = interrupted() || looked_at >= effort_.most_parts;
       const auto found = parallel_map(now.size(), [&](std::size_t i) {
         return ends ? Found{Verdict::undecided(interrupted() ? "interrupted" : "not looked at")}
                     : look(now[i]);
@@ -200,13 +201,11 @@ class Search {
       for (std::size_t i = 0; i < now.size(); ++i) {
         looked_at += found[i].looked ? 1 : 0;
         const bool exists = found[i].existence.truth == Truth::proved;
-        const bool is_done = exists && (is_decided(found[i].state) || !wants_state_);
+        const bool is_done = exists && (is_decided(found[i].state) || !effort_.with_state);
         width_ = is_done && now[i].volume() > volume_of(width_) ? now[i].half : width_;
         const auto datum = ends || is_done ? std::nullopt : to_halve(now[i], found[i]);
         if (!datum) {
           done.push_back({now[i], found[i]});
-          gave_up_ = gave_up_ || !exists;
-          wants_state_ = wants_state_ && (effort_.to_the_end || is_decided(found[i].state));
           continue;
         }
         halve(now[i], *datum, found[i].middle, next);
@@ -271,23 +270,24 @@ class Search {
     why_ = why_not_linear(machines_at(whole_.points()));
   }
 
-  // How wide a part with the first motion may be. Undecided when none is narrow enough.
+  // How wide a part with the motion in the middle may be; undecided when none is narrow enough.
   [[nodiscard]] Verdict find_width() {
     Part part = whole_;
-    for (part.known = {0}; !interrupted();) {
+    for (long looked_at = 0; looked_at < effort_.most_parts && !interrupted(); ++looked_at) {
       const Found found = look(part);
       const bool exists = found.existence.truth == Truth::proved;
       if (exists && (width_.empty() || is_decided(found.state))) {
         width_ = part.half;
       }
       const auto datum = to_halve(part, found);
-      if (!datum || is_decided(found.state) || (exists && !wants_state_)) {
+      if (!datum || is_decided(found.state) || (exists && !effort_.with_state)) {
         return width_.empty() ? found.existence : Verdict::proved();
       }
       const auto [low, high] = part.halved(*datum);
-      part = low.contains(known_.front().s) ? low : high;
+      part = low.contains(known_[part.near].s) ? low : high;
+      std::erase_if(part.known, [&](std::size_t i) { return !part.contains(known_[i].s); });
     }
-    return Verdict::undecided("interrupted");
+    return width_.empty() ? Verdict::undecided("no part is narrow enough") : Verdict::proved();
   }
 
   [[nodiscard]] MachineQuestion question_at(const Values& u) const {
@@ -347,7 +347,7 @@ class Search {
     }
     const ChainProof proof = prove_chains(question, *nodes, known);
     found.existence = proof.verdict;
-    if (proof.verdict.truth == Truth::proved && wants_state_) {
+    if (proof.verdict.truth == Truth::proved && effort_.with_state) {
       found.state = state_of(decided(question, proof));
     }
     if (!is_decided(found.state)) {
@@ -437,7 +437,6 @@ class Search {
   std::vector<Known> known_;  // s being coordinates of the box
   std::size_t given_ = 0;
   Values width_;  // half of that of the largest part that was proved
-  bool gave_up_ = false, wants_state_;
 };
 
 }  // namespace
@@ -467,22 +466,40 @@ std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<Motion
   return Search(box, motions, effort).run();
 }
 
-Joint joint_between(const std::function<Machine(const Rational&)>& at, const MotionAt& a, const MotionAt& b,
-                    std::optional<State> state) {
-  const auto ordered = a.values < b.values ? std::pair(a.values, b.values) : std::pair(b.values, a.values);
-  const DataBox box{[&](const Values& values) { return at(values.front()); }, ordered.first, ordered.second};
-  const Effort effort{
-      .most_halvings = 12, .most_parts = 1L << 13, .with_state = state.has_value(), .to_the_end = false};
-  Joint joint{Verdict::proved(), Verdict::proved()};
-  for (const PartOfBox& part : motions_over(box, {a, b}, effort)) {
-    if (part.existence.truth != Truth::proved) {
-      return {part.existence, part.existence};
-    }
-    if (!state || part.state != *state) {
-      joint.state = Verdict::undecided("a condition or the stability is not decided");
+std::vector<Joint> joints_between(const std::function<Machine(const Rational&)>& at,
+                                  const std::vector<MotionAt>& motions, std::optional<State> state) {
+  constexpr int most_halvings_of_shortest = 12;
+  constexpr long most_parts_at_all = 2048;
+  const bool rises = motions.front().values < motions.back().values;
+  const MotionAt &first = rises ? motions.front() : motions.back(),
+                 &last = rises ? motions.back() : motions.front();
+  const DataBox box{[&](const Values& values) { return at(values.front()); }, first.values, last.values};
+  Rational shortest = last.values[0] - first.values[0];
+  const Rational whole = shortest;
+  for (std::size_t k = 0; k + 1 < motions.size(); ++k) {
+    shortest = std::min(shortest, Rational(abs(Rational(motions[k + 1].values[0] - motions[k].values[0]))));
+  }
+  const int halvings = static_cast<int>(std::ceil(std::log2(Rational(whole / shortest).get_d())));
+  const std::vector<PartOfBox> parts = motions_over(box, motions,
+                                                    {.most_halvings = halvings + most_halvings_of_shortest,
+                                                     .most_parts = most_parts_at_all,
+                                                     .with_state = state.has_value()});
+  std::vector<Joint> joints;
+  for (std::size_t k = 0; k + 1 < motions.size(); ++k) {
+    const auto [low, high] = std::minmax(motions[k].values[0], motions[k + 1].values[0]);
+    Joint& joint = joints.emplace_back(Joint{Verdict::proved(), Verdict::proved()});
+    for (const PartOfBox& part : parts) {
+      if (part.high[0] <= low || part.low[0] >= high || joint.existence.truth != Truth::proved) {
+        continue;
+      }
+      if (part.existence.truth != Truth::proved) {
+        joint = {part.existence, part.existence};
+      } else if (!state || part.state != *state) {
+        joint.state = Verdict::undecided("a condition or the stability is not decided");
+      }
     }
   }
-  return joint;
+  return joints;
 }
 
 }  // namespace stickslip::numeric::machines

@@ -50,23 +50,26 @@ struct Effort {
   int most_halvings;  // of one datum
   long most_parts;    // that are looked at
   bool with_state = true;
-  bool to_the_end = true;  // else no more once a part stays undecided
 };
 
 // The parts make up the box. `motions`: of one family as far as it is known, at least one, all through the
 // same phases. Undecided where the numbers, or those at inverse values, are not linear functions of the data,
-// with smooth laws of friction, and where parts would be smaller than the effort allows; where only a state
-// stays undecided and it is not to the end, no more states are asked for. Throws as require_machine does, for
-// the machines at the corners of the box, and DomainError for more than eight data.
+// with smooth laws of friction, and where parts would be smaller than the effort allows. Throws as
+// require_machine does, for the machines at the corners of the box, and DomainError for more than eight data.
 [[nodiscard]] std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
                                                   const Effort& effort);
 
-// Of all parts.
 struct Joint {
-  Verdict existence, state;
+  // Of "at each value between there is exactly one closed motion in a box that goes with the value, and these
+  // form a curve from the one motion to the other".
+  Verdict existence;
+  // Of "and each of them is in that state".
+  Verdict state;
 };
-// Between two values of one datum, in parts that are as long as proofs allow, down to 2^-12 of the way.
-[[nodiscard]] Joint joint_between(const std::function<Machine(const Rational&)>& at, const MotionAt& a,
-                                  const MotionAt& b, std::optional<branches::State> state);
+// Of each of some motions of one state and the next, over one datum that rises or falls: in parts that may
+// hold many of them, down to 2^-12 of the shortest way between two. Without a state it is not asked for.
+[[nodiscard]] std::vector<Joint> joints_between(const std::function<Machine(const Rational&)>& at,
+                                                const std::vector<MotionAt>& motions,
+                                                std::optional<branches::State> state);
 
 }  // namespace stickslip::numeric::machines

@@ -415,7 +415,7 @@ TEST_CASE("a state that is lost between is not said of all, nor is what is not l
     const auto end = [&](const Rational& x) {
       return MotionAt{{x}, guess_of(prove_machine_orbit(at(x), guess_of(orbit, machine)), at(x))};
     };
-    return joint_between(at, end(a), end(b), branches::State::stable);
+    return joints_between(at, {end(a), end(b)}, branches::State::stable).front();
   };
   const auto frequency = [](const Rational& x) {
     Machine other = engineers();
