@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
 
+#include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
@@ -389,21 +391,30 @@ class Search {
     }
   }
 
-  // Parts that have no proved way to the given motions are undecided.
+  // Parts of one family have a way from one to the other through closed chains that are known in both of two
+  // on it; those that have none to a given motion are undecided.
   [[nodiscard]] std::vector<PartOfBox> joined(const std::vector<Done>& all) const {
-    std::vector<bool> reached(known_.size(), false), is_joined(all.size(), false);
-    std::fill_n(reached.begin(), given_, true);
-    for (bool more = true; more;) {
-      more = false;
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        const std::vector<std::size_t>& known = all[i].part.known;
-        if (is_joined[i] || all[i].found.existence.truth != Truth::proved ||
-            std::ranges::none_of(known, [&](std::size_t k) { return reached[k]; })) {
-          continue;
-        }
-        more = is_joined[i] = true;
-        for (const std::size_t k : known) {
-          reached[k] = true;
+    constexpr auto none = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> of_known(known_.size(), none), of_part(all.size(), none);
+    for (std::size_t family = 0; family < given_; ++family) {
+      if (of_known[family] != none) {
+        continue;
+      }
+      of_known[family] = family;
+      for (bool more = true; more;) {
+        more = false;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+          const std::vector<std::size_t>& known = all[i].part.known;
+          const bool is_of_it =
+              std::ranges::any_of(known, [&](std::size_t k) { return of_known[k] == family; });
+          if (of_part[i] != none || all[i].found.existence.truth != Truth::proved || !is_of_it) {
+            continue;
+          }
+          more = true;
+          of_part[i] = family;
+          for (const std::size_t k : known) {
+            of_known[k] = family;
+          }
         }
       }
     }
@@ -418,11 +429,13 @@ class Search {
           low[k].swap(high[k]);
         }
       }
-      const auto apart =
-          Verdict::undecided("no way through parts that are proved leads there from the motion");
-      const bool is_apart = found.existence.truth == Truth::proved && !is_joined[i];
-      parts.push_back({inverted(low), inverted(high), is_apart ? apart : found.existence,
-                       is_apart ? State::undecided : found.state});
+      PartOfBox& one = parts.emplace_back(
+          PartOfBox{inverted(low), inverted(high), found.existence, found.state, of_part[i]});
+      if (found.existence.truth == Truth::proved && of_part[i] == none) {
+        one.existence =
+            Verdict::undecided("no way through parts that are proved leads there from the motion");
+        one.state = State::undecided;
+      }
     }
     return parts;
   }
@@ -457,6 +470,14 @@ std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<Motion
     require_machine(box.at(values));
   }
   for (const MotionAt& motion : motions) {
+    for (std::size_t k = 0; k < data; ++k) {
+      if (motion.values[k] < box.low[k] || motion.values[k] > box.high[k]) {
+        throw DomainError("a motion's datum", to_string(motion.values[k]),
+                          fmt::format("in the box, {} to {}", to_string(box.low[k]), to_string(box.high[k])));
+      }
+    }
+  }
+  for (const MotionAt& motion : motions) {
     if (!std::ranges::equal(motion.guess.events, motions.front().guess.events, {},
                             &MachineGuess::Event::begins, &MachineGuess::Event::begins)) {
       return {{box.low, box.high, Verdict::undecided("the motions are not through the same phases"),
@@ -488,13 +509,22 @@ std::vector<Joint> joints_between(const std::function<Machine(const Rational&)>&
   for (std::size_t k = 0; k + 1 < motions.size(); ++k) {
     const auto [low, high] = std::minmax(motions[k].values[0], motions[k + 1].values[0]);
     Joint& joint = joints.emplace_back(Joint{Verdict::proved(), Verdict::proved()});
+    std::optional<std::size_t> family;
     for (const PartOfBox& part : parts) {
       if (part.high[0] <= low || part.low[0] >= high || joint.existence.truth != Truth::proved) {
         continue;
       }
       if (part.existence.truth != Truth::proved) {
         joint = {part.existence, part.existence};
-      } else if (!state || part.state != *state) {
+        continue;
+      }
+      if (part.family != family.value_or(part.family)) {
+        const auto apart = Verdict::undecided("two parts have no closed motion in common that is known");
+        joint = {apart, apart};
+        continue;
+      }
+      family = part.family;
+      if (!state || part.state != *state) {
         joint.state = Verdict::undecided("a condition or the stability is not decided");
       }
     }

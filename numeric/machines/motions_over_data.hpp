@@ -1,10 +1,10 @@
 // A periodic motion of a machine at all values of some of its data in a box: with one datum a branch between
 // two values, with more what tolerances leave of it.
 //
-// The box is halved until on each part Newton's test passes for all machines at once (chain_proof.hpp). Two
-// parts that meet have a closed chain in common, that which was proved where the box of both was halved; on
-// the side they share, which is connected, the chains of each depend continuously on the data and are single
-// zeros, so they are the same. So the motions of all parts are one family.
+// The box is halved until on each part Newton's test passes for all machines at once (chain_proof.hpp). Where
+// it is halved a closed chain is proved in the middle; of two parts that have such a one in common what they
+// share is connected, and there the chains of each depend continuously on the data and are single zeros, so
+// they are the same. So the motions of all parts that are connected in this way are one family.
 #pragma once
 
 #include <functional>
@@ -38,12 +38,13 @@ struct DataBox {
 
 struct PartOfBox {
   Values low, high;
-  // Of "at all data there is exactly one closed motion in a box that goes with the data, all of these depend
-  // continuously on the data, and are one family with those of all other parts of which that is proved and
-  // with the given motions in the part".
+  // Of "at all data there is exactly one closed motion in a box that goes with the data, these depend
+  // continuously on the data, the given motions in the part are among them, and they are one family with
+  // those of all other parts of that number and with the given motion of it".
   Verdict existence;
   // Each of them is in it, by proof; where it is asked for.
   branches::State state = branches::State::undecided;
+  std::size_t family = 0;
 };
 
 struct Effort {
@@ -55,7 +56,8 @@ struct Effort {
 // The parts make up the box. `motions`: of one family as far as it is known, at least one, all through the
 // same phases. Undecided where the numbers, or those at inverse values, are not linear functions of the data,
 // with smooth laws of friction, and where parts would be smaller than the effort allows. Throws as
-// require_machine does, for the machines at the corners of the box, and DomainError for more than eight data.
+// require_machine does, for the machines at the corners of the box, and DomainError for more than eight data
+// and for a motion outside.
 [[nodiscard]] std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
                                                   const Effort& effort);
 

@@ -238,6 +238,22 @@ TEST_CASE("a course has the values and derivatives of the flow, from both ends, 
     CHECK_FALSE((abs(fourth) - bounds.fourth).is_positive());
   }
   CHECK_FALSE(g.at(100).front().is_finite());
+  // Divided by the distance to a zero: as by the distance, but where that is small.
+  for (const std::size_t derivative : {0U, 1U}) {
+    const AffineCourse from_zero(g, -1, InData<Ball>(g.at(Ball(0))[0]), {derivative, 0, 1});
+    const Ball at_zero = g.at(Ball(0), derivative)[0];
+    for (const double s : {0x1p-20, 0.01, 0.2, 2.5}) {
+      const auto k = from_zero.quotient_at(s);
+      const auto d = g.at(Ball(s), derivative);
+      const Ball value = (at_zero - d[0]) / Ball(s), slope = (-d[1] - value) / Ball(s);
+      if (derivative == 0 || s <= phases.watch(piece, false).length) {
+        CHECK(k[0].overlaps(value));
+        CHECK(k[1].overlaps(slope));
+        CHECK(k[2].overlaps(Ball((-d[2] - Ball(2) * slope) / Ball(s))));
+        CHECK(is_narrow(k[2], 1e-24));
+      }
+    }
+  }
   const AffineCourse turned(g, -1, InData<Ball>(Ball(3)));
   CHECK(turned.at(0.5)[0].overlaps(Ball(3) - g.at(0.5)[0]));
   CHECK(turned.at(0.5)[1].overlaps(-g.at(0.5)[1]));

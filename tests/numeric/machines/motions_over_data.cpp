@@ -8,6 +8,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/machines/judge.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/machines/neighbourhoods.hpp"
 
@@ -280,6 +281,22 @@ TEST_CASE("what machines do over data contains what each of them does") {
         check_contains(link.M.all(), single.M.c[0]);
         check_contains(of_wide.M.at(balls(s)), one.link(beside, i).M.c[0]);
         check_contains(link.end_velocity, single.end_velocity);
+        // What ends the phase, at times of it, and its distance to a number that changes.
+        const auto& phases = one.phases();
+        const InData<Matrix> begin = all.beginning(nodes, i);
+        const Ball T = one.duration(there, i);
+        const Watched watched(all.phases(), orbit.pieces[i], begin, T, false),
+            of_one(phases, orbit.pieces[i], InData<Matrix>(Matrix(one.beginning(there, i))), T, false);
+        const auto bound = [](const auto& o) { return Ball(o.forward.at_rest + o.V); };
+        const AffineCourse distance(watched, -1, all.phases().number(bound)),
+            distance_of_one(of_one, -1, phases.number(bound));
+        for (const double share : {0x1p-20, 0.3, 0.9}) {
+          const double t = share * T.approximate();
+          for (std::size_t d = 0; d < 4; ++d) {
+            CHECK(watched.at(Ball(t))[d].overlaps(of_one.at(Ball(t))[d]));
+            CHECK(distance.at(t)[d].overlaps(distance_of_one.at(t)[d]));
+          }
+        }
         CHECK(link.rate.overlaps(single.rate));
       }
       // What is left is smaller than what changes.
@@ -523,6 +540,29 @@ TEST_CASE("a box of two data is proved in parts that make it up, and is what sin
   }
 }
 
+TEST_CASE("motions that are not of one family are not joined") {
+  const MachineOrbit orbit = orbit_of(engineers());
+  const Datum belt = data()[1];
+  const auto end = [&](const char * factor) {
+    const Rational value = belt.value * parse_rational(factor);
+    const Machine machine = with(belt, value);
+    return MotionAt{{value}, guess_of(prove_machine_orbit(machine, guess_of(orbit, engineers())), machine)};
+  };
+  const auto at = [&](const Rational& x) { return with(belt, x); };
+  std::vector<MotionAt> motions{end("0.999"), end("1"), end("1.001")};
+  for (const Joint& joint : joints_between(at, motions, branches::State::stable)) {
+    CHECK(joint.state.truth == Truth::proved);
+  }
+  // Begun all periods of the load later: another chain, though the same motion.
+  for (MachineGuess::Event& event : motions[2].guess.events) {
+    event.t += motions[2].guess.duration;
+  }
+  const auto joints = joints_between(at, motions, branches::State::stable);
+  CHECK(joints[0].state.truth == Truth::proved);
+  CHECK(joints[1].existence.truth == Truth::undecided);
+  CHECK(joints[1].state.truth == Truth::undecided);
+}
+
 TEST_CASE("a box with a machine that is none is refused") {
   const MachineGuess guess = guess_of(orbit_of(engineers()), engineers());
   const Datum mass = data()[4];
@@ -530,6 +570,9 @@ TEST_CASE("a box with a machine that is none is refused") {
       [&](const Values& values) { return with(mass, values[0]); }, {Rational(0)}, {Rational(1)}};
   CHECK_THROWS_AS((void)motions_over(box, {{{mass.value}, guess}}, {12, 10}), DomainError);
   CHECK_THROWS_AS((void)motions_over({box.at, {}, {}}, {{{}, guess}}, {12, 10}), DomainError);
+  CHECK_THROWS_AS(
+      (void)motions_over({box.at, {Rational(1)}, {Rational(2)}}, {{{mass.value}, guess}}, {12, 10}),
+      DomainError);
 }
 
 TEST_CASE("a box of data is divided by what the motion is") {
