@@ -258,7 +258,7 @@ void add_branch(CLI::App& program, Request& request, const Wording& wording) {
   c.add("FAMILY", o.family);
   c.add_parameters();
   c.add_sources();
-  c.add("--along", o.along)->expected(2);
+  c.add("--along", o.along)->allow_extra_args(false);
   c.add_units();
   c.add("--at", o.at, exact_number);
   c.add("--period", o.period, OrbitsOptions::most_periods_of_word);
@@ -268,6 +268,7 @@ void add_branch(CLI::App& program, Request& request, const Wording& wording) {
   orbit->excludes(near);
   c.add("--basin", o.basin);
   c.add("--without-gaps", o.without_gaps);
+  c.add("--parts", o.parts, BranchOptions::most_parts);
   c.add("--csv", o.csv);
   c.add("--plot", o.plot);
   c.add("--out", o.out);
@@ -284,7 +285,7 @@ void add_attractors(CLI::App& program, Request& request, const Wording& wording)
   c.add("--starts", o.starts, Attracted::most_starts);
   c.add("--seed", o.seed, Attracted::greatest_number);
   c.add("--most-periods", o.most_periods, Attracted::greatest_number);
-  c.add("--along", o.along)->expected(2);
+  c.add("--along", o.along)->allow_extra_args(false);
   c.add("--values", o.values, Attracted::most_values);
   c.add("--plane", o.plane);
   c.add("--pixels", o.pixels, Attracted::most_pixels);

@@ -92,20 +92,27 @@ struct OrbitsOptions : GivenMachine, Outputs {
   static constexpr int most_cells = 1000000000;
 };
 
+// Parameters, or values of the machine in the file, and A..B.
+using Ranges = std::vector<std::pair<std::string, std::string>>;
+
 struct BranchOptions : GivenMachine, Outputs {
-  std::string family;              // one of the parameters is an interval A..B, or
-  std::vector<std::string> along;  // a parameter, or a value of the machine in the file, and A..B
+  std::string family;        // one of the parameters is an interval A..B, or
+  Ranges along;              // of several numbers for words of a machine in tables
+  std::optional<int> parts;  // then
   std::optional<Rational> at;
   std::optional<int> period, orbit;  // of a word
   std::optional<State> near;
   bool all = false;                  // likewise
   std::optional<std::string> basin;  // of S of a machine in tables
   bool without_gaps = false;         // of words of one
+
+  static constexpr int default_parts = 500;
+  static constexpr int most_parts = 1000000;
 };
 
 struct AttractorsOptions : GivenMachine, Outputs {
   std::optional<int> starts, seed, most_periods, digits;
-  std::vector<std::string> along;  // a parameter and A..B, or nothing
+  Ranges along;  // one, or none
   std::optional<int> values, pixels;
   std::optional<std::string> plane;
   std::optional<State> through, window;  // half widths: two numbers
@@ -125,7 +132,7 @@ struct AttractorsOptions : GivenMachine, Outputs {
 
 struct AtlasOptions : GivenMachine, Outputs {
   std::string family;
-  std::vector<std::pair<std::string, std::string>> along;  // parameters, or values of the machine, and A..B
+  Ranges along;
   std::optional<int> resolution, sample;
   std::optional<double> time_limit;  // in seconds
   std::string verify;

@@ -127,21 +127,19 @@ Along along_of(const TypedParameters& typed) {
   return found;
 }
 
-// What is typed with what --along NAME A..B says, if it says anything. Throws UsageError for a name that is
-// neither a parameter's nor a machine's in SI units.
-TypedParameters with_along(TypedParameters typed, const std::vector<std::string>& along) {
-  if (along.empty()) {
-    return typed;
+// What is typed with what each --along NAME A..B says. Throws UsageError for a name that is neither a
+// parameter's nor a machine's in SI units.
+TypedParameters with_along(TypedParameters typed, const Ranges& along) {
+  for (const auto& [name, range] : along) {
+    if (!is_parameter(name) && !is_in_SI(name)) {
+      throw UsageError(fmt::format("along: '{}' is none of {}; or, of a machine in SI units, {}", name,
+                                   fmt::join(parameter_names, ", "), fmt::join(names_in_SI, ", ")));
+    }
+    if (range.find("..") == std::string::npos) {
+      throw UsageError(fmt::format("along: '{}' is not an interval A..B, such as 0.1..0.5", range));
+    }
+    typed[name] = range;
   }
-  const std::string& name = along[0];
-  if (!is_parameter(name) && !is_in_SI(name)) {
-    throw UsageError(fmt::format("along: '{}' is none of {}; or, of a machine in SI units, {}", name,
-                                 fmt::join(parameter_names, ", "), fmt::join(names_in_SI, ", ")));
-  }
-  if (along[1].find("..") == std::string::npos) {
-    throw UsageError(fmt::format("along: '{}' is not an interval A..B, such as 0.1..0.5", along[1]));
-  }
-  typed[name] = along[1];
   return typed;
 }
 
@@ -272,6 +270,9 @@ Asked<BranchQuestion> asked_branch(const BranchOptions& o, const Paper& paper) {
 
 void require_sense(const AttractorsOptions& o) {
   const bool along = !o.along.empty();
+  if (o.along.size() > 1) {
+    throw UsageError(fmt::format("--along is for one number here, not for {} of them", o.along.size()));
+  }
   if (along && o.plane) {
     throw UsageError("--along and --plane are two questions: give one of them");
   }
@@ -328,7 +329,7 @@ Asked<AttractorQuestion> asked_machines(const Attracted& o, const Paper& paper) 
 
 // Along a value of a machine in SI units: the data taken at each.
 std::function<DataTaken(const Rational&)> machine_along(const Attracted& o, const ParameterFile& file) {
-  const std::string& name = o.along[0];
+  const std::string& name = o.along.front().first;
   if (!file.in_SI.contains(name)) {
     if (file.machine && !is_parameter(name)) {
       std::vector<std::string> known;
@@ -366,9 +367,10 @@ Asked<AttractorQuestion> asked_attractors(const Attracted& o, const Paper& paper
 Asked<DiagramQuestion> asked_diagram(const Attracted& o, const Paper& paper) {
   Asked<AttractorQuestion> given = asked_machines(o, paper);
   auto taken = machine_along(o, given.file);
-  const auto [from, to] = interval(o.along[0], with_along({}, o.along).begin()->second);
+  const auto [name, range] = *with_along({}, o.along).begin();
+  const auto [from, to] = interval(name, range);
   const int values = values_of(o);
-  DiagramQuestion asked{given.question, o.along[0], from, to, values, std::move(taken)};
+  DiagramQuestion asked{given.question, name, from, to, values, std::move(taken)};
   return {std::move(given.file), std::move(given.units), std::move(asked)};
 }
 
@@ -408,9 +410,7 @@ Asked<atlas::Question> asked_atlas(const AtlasOptions& o, const Paper& paper) {
   atlas::Question q;
   q.family = &family_named(o.family);
   AtlasOptions machine = o;
-  for (const auto& [name, range] : o.along) {
-    machine.parameters = with_along(std::move(machine.parameters), {name, range});
-  }
+  machine.parameters = with_along(std::move(machine.parameters), o.along);
   ParameterFile file = read_parameters(machine, FrictionAtRest::optional, in_the_middle);
   (void)units_of(o.si, file, false);
   leave_results_out(file, *q.family);

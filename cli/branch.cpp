@@ -42,6 +42,9 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
         "--without-gaps is for words of a machine in tables: branches of the paper's oscillator have no "
         "gaps");
   }
+  if (o.parts) {
+    throw UsageError("--parts is for several --along, of a machine in tables");
+  }
   const Jobs limit = jobs(o.jobs);
   require_outputs(o);
   const auto [file, list] = [&] {

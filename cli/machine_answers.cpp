@@ -11,6 +11,7 @@
 #include "cli/typed_parameters.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "model/named_data.hpp"
 #include "numeric/machines/machine_branch.hpp"
 #include "numeric/machines/neighbourhood.hpp"
@@ -87,21 +88,53 @@ MachineWord question_for(const GivenInTables& given, const std::string& text, co
   return q;
 }
 
+void require_ranges(const GivenInTables& given, const Ranges& along) {
+  if (along.empty()) {
+    throw UsageError(fmt::format(
+        "what varies is missing: --along PATH A..B, PATH such as belt.velocity in {}", given.file));
+  }
+}
+
 struct AlongPath {
   std::string path;
   Rational from, to;
   std::function<Machine(const Rational&)> at;
 };
 
-AlongPath along_path(const GivenInTables& given, const std::vector<std::string>& along) {
-  if (along.size() != 2) {
-    throw UsageError(fmt::format(
-        "what varies is missing: --along PATH A..B, PATH such as belt.velocity in {}", given.file));
+AlongPath along_path(const GivenInTables& given, const Ranges& along) {
+  require_ranges(given, along);
+  if (along.size() > 1) {
+    throw UsageError(fmt::format("--along is for one number here, not for {} of them", along.size()));
   }
-  const auto [from, to] = interval(along[0], along[1]);
-  return {along[0], from, to, [given, path = along[0]](const Rational& value) {
-            return machine_in_tables(given.text, given.file, Datum{path, value})->machine;
+  const auto& [path, range] = along.front();
+  const auto [from, to] = interval(path, range);
+  return {path, from, to, [given, path](const Rational& value) {
+            return machine_in_tables(given.text, given.file, {{path, value}})->machine;
           }};
+}
+
+// Where motions are looked for: at what the file says, or in the middle where that is not in the interval.
+Rational start_in(const GivenInTables& given, const std::string& path, const Rational& from,
+                  const Rational& to) {
+  const Rational in_file = value_in_tables(given.text, given.file, path);
+  return from <= in_file && in_file <= to ? in_file : Rational((from + to) / 2);
+}
+
+// Of the motions that were found those that are asked for, by their places; `at` says where.
+std::vector<std::size_t> wanted(const MachineWordOrbits& found, const BranchOptions& o,
+                                const std::string& at) {
+  if (o.orbit && static_cast<std::size_t>(*o.orbit) > found.orbits.size()) {
+    throw UsageError(fmt::format("orbit: there is no orbit {} through {} at {}, there are {}", *o.orbit,
+                                 found.question.word.letters(), at, found.orbits.size()));
+  }
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < found.orbits.size(); ++k) {
+    if (o.orbit ? k + 1 == static_cast<std::size_t>(*o.orbit)
+                : o.all || found.orbits[k].admissible.truth == Truth::proved) {
+      places.push_back(k);
+    }
+  }
+  return places;
 }
 
 report::machines::Origin origin(const GivenInTables& given) {
@@ -255,8 +288,9 @@ report::machines::Steady steady_answer(const GivenInTables& given, const OrbitsO
 }
 
 report::machines::SteadyBranch steady_answer(const GivenInTables& given, const BranchOptions& o) {
-  refuse_others(o, given.file, false,
-                {"--period", "--near", "--orbit", "--at", "--without-gaps", "--csv", "--plot", "--out"});
+  refuse_others(
+      o, given.file, false,
+      {"--period", "--near", "--orbit", "--at", "--without-gaps", "--parts", "--csv", "--plot", "--out"});
   const auto [path, from, to, at] = along_path(given, o.along);
   const int digits = OrbitsOptions::default_digits;
   report::machines::SteadyBranch result{
@@ -271,15 +305,17 @@ report::machines::SteadyBranch steady_answer(const GivenInTables& given, const B
 report::machines::Branches answer(const GivenInTables& given, const BranchOptions& o) {
   require_no_basin(o.basin);
   const auto [path, from, to, at] = along_path(given, o.along);
-  const Rational in_file = value_in_tables(given.text, given.file, path);
-  const Rational middle = (from + to) / 2;
-  const Rational start = o.at.value_or(from <= in_file && in_file <= to ? in_file : middle);
+  const Rational in_file = start_in(given, path, from, to);
+  const Rational start = o.at.value_or(in_file);
   if (start < from || start > to) {
     throw UsageError(fmt::format("at: {} = {} is not in the interval {}..{}", path, to_string(start),
                                  to_string(from), to_string(to)));
   }
   MachineWord q = question_for(given, o.family, "branch", o.period, o.near);
   refuse_others(o, given.file, false, {});
+  if (o.parts) {
+    throw UsageError("--parts is for several --along");
+  }
   q.machine = at(start);
   const MachineWordOrbits found = find_word_orbits(q);
   report::machines::Branches result{q,
@@ -294,19 +330,49 @@ report::machines::Branches answer(const GivenInTables& given, const BranchOption
                                     found.seen,
                                     found.interrupted,
                                     origin(given)};
-  if (o.orbit && static_cast<std::size_t>(*o.orbit) > found.orbits.size()) {
-    throw UsageError(fmt::format("orbit: there is no orbit {} through {} at {} = {}, there are {}", *o.orbit,
-                                 q.word.letters(), path, to_string(start), found.orbits.size()));
+  for (const std::size_t k : wanted(found, o, path + " = " + to_string(start))) {
+    result.branches.push_back(follow_machine_branch(
+        {at, from, to, start, guess_of(found.orbits[k], q.machine), q.digits, o.without_gaps}));
+    result.interrupted = result.interrupted || result.branches.back().interrupted;
   }
-  for (std::size_t k = 0; k < found.orbits.size(); ++k) {
-    const bool wanted = o.orbit ? k + 1 == static_cast<std::size_t>(*o.orbit)
-                                : o.all || found.orbits[k].admissible.truth == Truth::proved;
-    if (wanted) {
-      result.branches.push_back(follow_machine_branch(
-          {at, from, to, start, guess_of(found.orbits[k], q.machine), q.digits, o.without_gaps}));
-      result.interrupted = result.interrupted || result.branches.back().interrupted;
+  return result;
+}
+
+report::machines::OverBox box_answer(const GivenInTables& given, const BranchOptions& o) {
+  require_no_basin(o.basin);
+  report::machines::OverBox result{.question = question_for(given, o.family, "branch", o.period, o.near)};
+  DataBox box;
+  Values start;
+  for (const auto& [path, range] : o.along) {
+    const auto [from, to] = interval(path, range);
+    result.data.push_back({path, from, to, start_in(given, path, from, to)});
+    box.low.push_back(from);
+    box.high.push_back(to);
+    start.push_back(result.data.back().start);
+  }
+  box.at = [&](const Values& values) {
+    std::vector<Datum> data;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      data.push_back({result.data[k].path, values[k]});
     }
+    return machine_in_tables(given.text, given.file, data)->machine;
+  };
+  refuse_others(o, given.file, false, {"--at"});
+  result.orbit = o.orbit;
+  result.all = o.all;
+  result.most_parts = o.parts.value_or(BranchOptions::default_parts);
+  result.origin = origin(given);
+  result.question.machine = box.at(start);
+  const MachineWordOrbits found = find_word_orbits(result.question);
+  result.seen = found.seen;
+  constexpr int most_halvings = 40;
+  for (const std::size_t k : wanted(found, o, "the file's data")) {
+    const MotionAt motion{start, guess_of(found.orbits[k], result.question.machine)};
+    result.motions.push_back(
+        {found.orbits[k],
+         motions_over(box, {motion}, {.most_halvings = most_halvings, .most_parts = result.most_parts})});
   }
+  result.interrupted = found.interrupted || interrupted();
   return result;
 }
 
@@ -404,6 +470,15 @@ ExitCode exit_of(const report::machines::Basins& result) {
 ExitCode exit_of(const report::machines::WordOrbits& result) {
   const bool decided = !result.list.orbits.empty() && std::ranges::all_of(result.list.orbits, is_decided);
   return result.list.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
+}
+
+ExitCode exit_of(const report::machines::OverBox& result) {
+  const bool decided = !result.motions.empty() && std::ranges::all_of(result.motions, [](const auto& motion) {
+    return std::ranges::all_of(motion.parts, [](const PartOfBox& part) {
+      return part.existence.truth == Truth::proved && numeric::machines::is_decided(part.motions.state);
+    });
+  });
+  return result.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
 }
 
 ExitCode exit_of(const report::machines::Branches& result) {

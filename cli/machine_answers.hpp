@@ -43,6 +43,8 @@ struct GivenInTables {
 // The branches of its orbits at --at, by default at what the file says, or in the middle where that is not in
 // the interval.
 [[nodiscard]] report::machines::Branches answer(const GivenInTables& given, const BranchOptions& o);
+// Of several numbers: these orbits where all of them vary, looked for at what the file says.
+[[nodiscard]] report::machines::OverBox box_answer(const GivenInTables& given, const BranchOptions& o);
 // Each sample is handed on; the motion goes on as long as it is asked to.
 using SampleOfMachine = numeric::simulation::SampleOf<numeric::simulation::AnyState>;
 [[nodiscard]] report::machines::Motion answer(const GivenInTables& given, const SimulateOptions& o,
@@ -63,6 +65,7 @@ void require_no_basin(const std::optional<std::string>& basin);
 [[nodiscard]] ExitCode exit_of(const report::machines::Basins& result);
 [[nodiscard]] ExitCode exit_of(const report::machines::WordOrbits& result);
 [[nodiscard]] ExitCode exit_of(const report::machines::Branches& result);
+[[nodiscard]] ExitCode exit_of(const report::machines::OverBox& result);
 [[nodiscard]] ExitCode exit_of(const report::machines::Steady& result);
 [[nodiscard]] ExitCode exit_of(const report::machines::SteadyBranch& result);
 

@@ -111,6 +111,9 @@ std::optional<ExitCode> run_in_tables(const BranchOptions& o) {
   if (given && is_steady(o.family)) {
     return steady(*given, o);
   }
+  if (given && o.along.size() > 1) {
+    return told(*given, o, "proving parts of the box ...", box_answer);
+  }
   return given ? std::optional(told(*given, o, "following branches ...", answered)) : std::nullopt;
 }
 

@@ -26,10 +26,16 @@ constexpr long greatest_multiple = 1000;
 
 class Reader {
  public:
-  // With another value where the path leads, if there are both.
-  Reader(const std::string& text, std::string file, std::optional<std::string> path = {},
-         std::optional<Rational> value = {})
-      : file_(std::move(file)), path_(std::move(path)), value_(std::move(value)) {
+  // Where a path leads stands its value, if there is one.
+  struct Place {
+    std::string path;
+    std::optional<Rational> value = {};
+    const toml::node * node = nullptr;
+    std::optional<Rational> found = {};  // what stands there
+  };
+
+  Reader(const std::string& text, std::string file, std::vector<Place> places = {})
+      : file_(std::move(file)), places_(std::move(places)) {
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) {
       lines_.push_back(line);
@@ -39,8 +45,14 @@ class Reader {
     } catch (const toml::parse_error& error) {
       throw UsageError(fmt::format("{}, line {}: {}", file_, error.source().begin.line, error.description()));
     }
-    if (path_ && *path_ != base_frequency) {
-      place_ = node_at(*path_);
+    for (Place& place : places_) {
+      place.node = place.path == base_frequency ? nullptr : node_at(place.path);
+      for (const Place * other = places_.data(); other != &place; ++other) {
+        if (other->node == place.node || (is_frequency(*other) && is_frequency(place))) {
+          throw UsageError(
+              fmt::format("{}: {} and {} are one number: it varies once", file_, other->path, place.path));
+        }
+      }
     }
   }
 
@@ -69,21 +81,29 @@ class Reader {
     o.V = number(belt, "belt", "velocity");
     read_friction(o);
     read_loads(result.machine);
-    if (path_ && !found_) {
-      throw UsageError(fmt::format("{}: {} is no number that can vary", file_, *path_));
+    for (const Place& place : places_) {
+      if (!place.found) {
+        refuse_to_vary(place);
+      }
     }
     require_machine(result.machine);
     return result;
   }
 
-  // What stands in the file where the path leads.
+  // What stands in the file where the only path leads.
   Rational value() {
     (void)read();
-    return *found_;
+    return *places_.front().found;
   }
 
  private:
   static constexpr const char * base_frequency = "frequency";
+  // Of a load alone, or of all.
+  static bool is_frequency(const Place& place) { return place.path.ends_with(base_frequency); }
+
+  [[noreturn]] void refuse_to_vary(const Place& place) const {
+    throw UsageError(fmt::format("{}: {} is no number that can vary", file_, place.path));
+  }
 
   [[nodiscard]] const toml::node * node_at(const std::string& path) const {
     const toml::node * node = &root_;
@@ -122,6 +142,11 @@ class Reader {
     return text;
   }
 
+  [[nodiscard]] Place * place_of(const toml::node& node) const {
+    const auto place = std::ranges::find(places_, &node, &Place::node);
+    return place == places_.end() ? nullptr : &*place;
+  }
+
   [[nodiscard]] Rational number(const toml::node& node, const std::string& name) const {
     std::string text;
     if (const auto * quoted = node.as_string()) {
@@ -142,10 +167,10 @@ class Reader {
     if (parsed && std::abs(value.get_d() - *parsed) > 1e-12 * std::abs(*parsed)) {
       refuse(node, fmt::format("{} = {} cannot be read exactly: write it in quotes", name, *parsed));
     }
-    if (&node == place_) {
-      found_ = value;
-      if (value_) {
-        value = *value_;
+    if (Place * place = place_of(node)) {
+      place->found = value;
+      if (place->value) {
+        value = *place->value;
         text = to_string(Ball(value), 3);
         text.erase(std::min(text.size(), text.find(" ±")));
       }
@@ -159,8 +184,8 @@ class Reader {
   }
   // One that says which or how many, and does not vary.
   [[nodiscard]] Rational fixed_number(const toml::node& node, const std::string& name) const {
-    if (&node == place_) {
-      throw UsageError(fmt::format("{}: {} is no number that can vary", file_, *path_));
+    if (const Place * place = place_of(node)) {
+      refuse_to_vary(*place);
     }
     return number(node, name);
   }
@@ -313,7 +338,7 @@ class Reader {
     for (std::size_t i = 0; i + 1 < law.sliding.size(); ++i) {
       model::SlidingPiece<Rational>& piece = law.sliding[i];
       const model::SlidingPiece<Rational>& next = law.sliding[i + 1];
-      if (next.from <= piece.from && place_ != nullptr) {
+      if (next.from <= piece.from && !places_.empty()) {
         throw DomainError("a relative velocity of sliding", to_string(next.from),
                           "more than the one before, " + to_string(piece.from));
       }
@@ -373,7 +398,8 @@ class Reader {
     machine.in_turns = in_turns.value_or(false);
     const auto varying =
         std::count_if(frequencies.begin(), frequencies.end(), [](const Rational& f) { return f != 0; });
-    if (place_ != nullptr && varying > 1 && path_->ends_with("frequency")) {
+    const auto one = std::ranges::find_if(places_, is_frequency);
+    if (one != places_.end() && one->node != nullptr && varying > 1) {
       throw UsageError(
           fmt::format("{}: of several loads the frequencies vary together: --along {} A..B, the greatest "
                       "that divides them all",
@@ -398,9 +424,9 @@ class Reader {
       o.loads[i].k = static_cast<int>(multiple.get_num().get_si());
       o.omega = base;
     }
-    if (path_ == base_frequency && base != 0) {
-      found_ = base;
-      o.omega = value_.value_or(base);
+    if (one != places_.end() && one->node == nullptr && base != 0) {
+      one->found = base;
+      o.omega = one->value.value_or(base);
     }
   }
 
@@ -413,10 +439,7 @@ class Reader {
   }
 
   std::string file_;
-  std::optional<std::string> path_;
-  std::optional<Rational> value_;
-  const toml::node * place_ = nullptr;     // where the path leads
-  mutable std::optional<Rational> found_;  // what stands there
+  mutable std::vector<Place> places_;
   std::vector<std::string> lines_;
   toml::table root_;
 };
@@ -435,14 +458,19 @@ bool has_tables(const std::string& text) {
 }
 
 std::optional<MachineInTables> machine_in_tables(const std::string& text, const std::string& file,
-                                                 const std::optional<Datum>& datum) {
-  return !has_tables(text) ? std::nullopt
-         : datum           ? std::optional(Reader(text, file, datum->path, datum->value).read())
-                           : std::optional(Reader(text, file).read());
+                                                 const std::vector<Datum>& data) {
+  if (!has_tables(text)) {
+    return std::nullopt;
+  }
+  std::vector<Reader::Place> places;
+  for (const auto& [path, value] : data) {
+    places.push_back({path, value});
+  }
+  return Reader(text, file, std::move(places)).read();
 }
 
 Rational value_in_tables(const std::string& text, const std::string& file, const std::string& path) {
-  return Reader(text, file, path).value();
+  return Reader(text, file, {{path}}).value();
 }
 
 }  // namespace stickslip::cli

@@ -5,7 +5,7 @@
 //   m = 2.5                       # in kg; the first is mass 1
 //   [[spring]]
 //   between = [0, 1]              # masses; 0 is the wall
-//   k = 1200                      # in N/m, and of the dashpot beside it in N s/m; one of the two may be
+//   k = 1200                      # in N/m; and of the dashpot beside it in N s/m: one of the two may be
 //   missing c = 0.6 [belt] mass = 1                      # the one on the belt velocity = 0.05 # in m/s
 //   [friction]
 //   at_rest = 13.5                # in N
@@ -27,6 +27,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "numeric/machines/machine.hpp"
 
@@ -49,11 +50,11 @@ struct Datum {
 };
 
 // Nothing where it has none. Throws UsageError, with the file and the line, for what is no
-// TOML, missing, unknown, of the wrong kind or no number, and for a path that no number that can vary has;
-// DomainError as numeric::machines::require_machine.
+// TOML, missing, unknown, of the wrong kind or no number, for a path that no number that can vary has, and
+// for two that lead to one; DomainError as numeric::machines::require_machine.
 [[nodiscard]] std::optional<MachineInTables> machine_in_tables(const std::string& text,
                                                                const std::string& file,
-                                                               const std::optional<Datum>& datum = {});
+                                                               const std::vector<Datum>& data = {});
 // What the file says there. Throws likewise.
 [[nodiscard]] Rational value_in_tables(const std::string& text, const std::string& file,
                                        const std::string& path);

@@ -510,6 +510,10 @@ std::string told_in_tables(const Asking& asking, const Conduct& conduct) {
       }
     } else if (cli::is_steady(o.family)) {
       return to_json(cli::steady_answer(given, o)).dump();
+    } else if constexpr (std::is_same_v<Options, cli::BranchOptions>) {
+      if (o.along.size() > 1) {
+        return to_json(cli::box_answer(given, o)).dump();
+      }
     }
     return to_json(cli::answer(given, o)).dump();
   });

@@ -432,9 +432,9 @@ std::optional<Nodes> approximate_chain(const MachineQuestion& question, const No
 }
 
 // Newton's method on polynomials, degree after degree: of those below none is left in the conditions.
-std::optional<NodesInData> approximate_chains(const MachineQuestion& question, const Nodes& middle) {
-  const Chain chain(question), one({question.machine, question.pieces, question.periods});
-  const std::vector<Link> links = links_of(one, midpoints(middle));
+std::optional<NodesInData> approximate_chains(const Chain& chain, const Chain& in_middle,
+                                              const Nodes& middle) {
+  const std::vector<Link> links = links_of(in_middle, midpoints(middle));
   const std::size_t count = monomials(chain.data());
   NodesInData nodes;
   for (const Node& u : middle) {
@@ -470,10 +470,8 @@ std::optional<NodesInData> approximate_chains(const MachineQuestion& question, c
 
 // What Newton's test takes of the derivatives of the conditions by the nodes, their means between two points
 // of the box for one s, lies in the balls for the box.
-ChainProof prove_chains(const MachineQuestion& question, const NodesInData& nodes,
-                        const std::vector<Known>& known) {
+ChainProof prove_chains(const Chain& chain, const NodesInData& nodes, const std::vector<Known>& known) {
   constexpr int attempts = 3;
-  const Chain chain(question);
   const auto links_at = [&](const NodesInData& X) {
     std::vector<Link> links;
     for (std::size_t i = 0; i < chain.size(); ++i) {

@@ -70,16 +70,16 @@ struct Known {
   ChainProof proof;
 };
 
-// For all machines of a question with points a polynomial of nodes near their closed chains, in floats, from
-// that in the middle; nothing where there is none.
-[[nodiscard]] std::optional<NodesInData> approximate_chains(const MachineQuestion& question,
+// For all machines of a chain over data a polynomial of nodes near their closed chains, in floats, from that
+// of the machine in the middle, whose chain is given, too; nothing where there is none.
+[[nodiscard]] std::optional<NodesInData> approximate_chains(const Chain& chain, const Chain& in_middle,
                                                             const Nodes& middle);
 
 // For these machines Newton's test about such a polynomial, all at once. Proved: for
 // each machine exactly one closed chain has its nodes in a box about the polynomial there; these depend
 // continuously on the data, and the known ones are among them; the nodes contain all, and the return map that
 // of each.
-[[nodiscard]] ChainProof prove_chains(const MachineQuestion& question, const NodesInData& nodes,
+[[nodiscard]] ChainProof prove_chains(const Chain& chain, const NodesInData& nodes,
                                       const std::vector<Known>& known);
 
 // Newton's method in floats at the working precision; nothing where it leads nowhere.

@@ -31,10 +31,10 @@ struct Monomial {
   [[nodiscard]] constexpr std::size_t degree() const {
     return (of[0] > 0 ? 1U : 0U) + (of[1] > 0 ? 1U : 0U) + (of[2] > 0 ? 1U : 0U);
   }
-  // For all s.
+  // For all s between -1, or 0, and 1.
+  [[nodiscard]] constexpr bool is_positive() const { return of[0] == 0 && of[1] == of[2]; }
   [[nodiscard]] Ball range() const {
-    const bool is_square = of[0] == 0 && of[1] == of[2];
-    return degree() == 0 ? Ball(1) : Ball::hull(Ball(is_square ? 0 : -1), Ball(1));
+    return degree() == 0 ? Ball(1) : Ball::hull(Ball(is_positive() ? 0 : -1), Ball(1));
   }
   // Assumes that the degrees are together at most the highest.
   friend Monomial operator*(const Monomial& a, const Monomial& b) {
@@ -86,6 +86,32 @@ void add(M& sum, const M& x) {
   }
 }
 
+// Adds x times the monomial, for all s.
+inline void add_range(Ball& sum, const Ball& x, const Monomial& m) {
+  if (is_zero(x)) {
+    return;
+  }
+  Ball spread = x;  // about 0 or x/2
+  if (m.is_positive()) {
+    if (m.degree() > 0) {
+      arb_mul_2exp_si(spread.raw(), spread.raw(), -1);
+    }
+    sum += spread;
+  }
+  if (m.degree() > 0) {
+    arb_add_error(sum.raw(), spread.raw());
+  }
+}
+template <class M>
+void add_range(M& sum, const M& x, const Monomial& m) {
+  if (is_none(sum)) {
+    sum = M::Constant(x.rows(), x.cols(), Ball(0));
+  }
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    add_range(sum.data()[i], x.data()[i], m);
+  }
+}
+
 template <class M>
 struct InData {
   std::vector<M> c;  // of all monomials of some data
@@ -97,20 +123,28 @@ struct InData {
   // Those of the data.
   [[nodiscard]] std::size_t data() const { return monomial(c.size() - 1).of.back(); }
 
-  // The sum of the parts of these degrees, for all s.
-  [[nodiscard]] M part(std::size_t lowest, std::size_t highest) const {
-    M sum{};
+  // The parts of each degree, for all s.
+  [[nodiscard]] std::array<M, highest_degree + 1> degrees() const {
+    std::array<M, highest_degree + 1> sums;
     for (std::size_t i = 0; i < c.size(); ++i) {
-      const Monomial& m = monomial(i);
-      if (m.degree() >= lowest && m.degree() <= highest && !is_none(c[i])) {
-        machines::add(sum, i == 0 ? c[i] : M(c[i] * m.range()));
+      if (!is_none(c[i])) {
+        add_range(sums[monomial(i).degree()], c[i], monomial(i));
       }
     }
-    return sum;
+    return sums;
   }
-  // Contains it for all s.
+  // Contains it for all s, without the rest and with it.
+  [[nodiscard]] M polynomial() const {
+    M all = c[0];
+    for (std::size_t i = 1; i < c.size(); ++i) {
+      if (!is_none(c[i])) {
+        add_range(all, c[i], monomial(i));
+      }
+    }
+    return all;
+  }
   [[nodiscard]] M all() const {
-    M all = part(0, highest_degree);
+    M all = polynomial();
     machines::add(all, rest);
     return all;
   }
@@ -177,14 +211,20 @@ template <class A, class B, class Times>
       }
     }
   }
-  for (std::size_t degree = 1; f.c.size() > 1 && g.c.size() > 1 && degree <= highest_degree; ++degree) {
-    into(result.rest, f.part(degree, degree), g.part(highest_degree + 1 - degree, highest_degree));
+  if (f.c.size() > 1 && g.c.size() > 1) {
+    const auto of_f = f.degrees();
+    const auto of_g = g.degrees();
+    B high{};  // of g, so that it and f's part are of a higher degree together
+    for (std::size_t degree = 1; degree <= highest_degree; ++degree) {
+      add(high, of_g[highest_degree + 1 - degree]);
+      into(result.rest, of_f[degree], high);
+    }
   }
   if (!is_none(f.rest)) {
     into(result.rest, f.rest, g.all());
   }
   if (!is_none(g.rest)) {
-    into(result.rest, f.part(0, highest_degree), g.rest);
+    into(result.rest, f.polynomial(), g.rest);
   }
   return result;
 }

@@ -424,17 +424,32 @@ InData<Matrix> exponential(const InData<Matrix>& A, const Vector& units) {
   return E;
 }
 
-// exp(B m) exp(B d), with h = m + d.
+// exp(B m) exp(B p) exp(B d), with h = m + p + d, m a number, p a polynomial that is kept and d its rest.
 InData<Matrix> LinearPhases::flow(Piece piece, const InData<Ball>& h) const {
-  const Exponential& known = nearest(piece, h.c[0].midpoint());
-  InData<Ball> d = h;
-  d.c[0] -= known.middle;
-  if (is_zero(d.all())) {
-    return known.in_data;
+  const auto over = [&](const InData<Ball>& time) {
+    return exponential(
+        product(drift_in_data(piece), time, [](const Matrix& B, const Ball& x) { return Matrix(B * x); }),
+        units_);
+  };
+  InData<Ball> p = h;
+  std::vector<OverTime>& kept = flows_over_times_[piece];
+  auto found = std::ranges::find_if(kept, [&](const OverTime& one) {
+    return std::ranges::equal(one.h.c, h.c,
+                              [](const Ball& a, const Ball& b) { return arb_equal(a.raw(), b.raw()) != 0; });
+  });
+  if (found == kept.end()) {
+    const Exponential& known = nearest(piece, h.c[0].midpoint());
+    p.c[0] -= known.middle;
+    p.rest = Ball(0);
+    if (kept.size() >= most_kept) {
+      kept.erase(kept.begin());
+    }
+    kept.push_back({h, is_zero(p.all()) ? known.in_data : InData<Matrix>(known.in_data * over(p))});
+    found = kept.end() - 1;
   }
-  return known.in_data * exponential(product(drift_in_data(piece), d,
-                                             [](const Matrix& B, const Ball& x) { return Matrix(B * x); }),
-                                     units_);
+  InData<Ball> d(Ball(0));
+  d.rest = h.rest;
+  return is_zero(d.rest) ? found->flow : InData<Matrix>(found->flow * over(d));
 }
 
 Matrix LinearPhases::flow_at(Piece piece, const Ball& t) const {

@@ -111,6 +111,11 @@ class LinearPhases {
     Matrix of_middle;
     InData<Matrix> in_data;  // for all machines
   };
+  // exp(B h) of a polynomial in the data, without a rest.
+  struct OverTime {
+    InData<Ball> h;
+    InData<Matrix> flow;
+  };
   // Of the masses that move, x'' = -A x + G u with u the rest of w, u' = Omega u: its natural frequencies,
   // and P such that x = P u is a motion.
   struct Modes {
@@ -142,6 +147,7 @@ class LinearPhases {
   mutable std::map<Piece, std::optional<Modes>> modes_;
   mutable std::map<Piece, Ball> norms_;  // of these, in the units
   mutable std::map<Piece, std::vector<Exponential>> flows_;
+  mutable std::map<Piece, std::vector<OverTime>> flows_over_times_;
   mutable std::map<std::pair<Piece, bool>, Watch> watches_;
   std::vector<LinearPhases> points_;
 };

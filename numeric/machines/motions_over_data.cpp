@@ -1,6 +1,7 @@
 #include "numeric/machines/motions_over_data.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "core/decimal.hpp"
@@ -49,6 +51,26 @@ namespace {
 constexpr long bits = 64;
 // Of the way between two motions, for Newton's method.
 constexpr int most_halvings_of_way = 6;
+// "stick.upper, slip": of conditions that are so, each name once.
+std::string names_of(const std::vector<Condition>& conditions, Truth truth) {
+  std::set<std::string> names;
+  for (const Condition& c : conditions) {
+    if (c.verdict.truth == truth) {
+      names.insert(c.id);
+    }
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// What motions are that exist, all at once.
+Judged judged(const MachineOrbit& orbit) {
+  const State state = state_of(orbit);
+  const bool holds = orbit.admissible.truth == Truth::proved;
+  return {state, is_decided(state) ? holds ? "" : names_of(orbit.conditions, Truth::refuted)
+                 : !holds ? names_of(orbit.conditions, Truth::undecided)
+                                   : "stability"};
+}
+
 // How much wider than the last part that was proved one may be to be looked at.
 constexpr double most_growth = 2.5;
 
@@ -121,6 +143,7 @@ struct Part {
   std::vector<int> halvings;
   std::vector<std::size_t> known = {};  // places of the closed chains that are known in it
   std::size_t near = 0;                 // and of one that may lie beside it
+  std::optional<Judged> whole = {};     // of one that it is half of, if they exist there
 
   [[nodiscard]] Rational volume() const { return volume_of(half); }
   // s in it.
@@ -182,35 +205,44 @@ class Search {
   [[nodiscard]] std::vector<PartOfBox> run() {
     if (!why_.empty()) {
       const auto open = Verdict::undecided(why_);
-      return {{box_.low, box_.high, open, State::undecided}};
+      return {{box_.low, box_.high, open, {}}};
     }
     whole_.known.resize(given_);
     std::iota(whole_.known.begin(), whole_.known.end(), 0);
     whole_.near = given_ / 2;
     if (const Verdict found = find_width(); found.truth != Truth::proved) {
-      return {{box_.low, box_.high, found, State::undecided}};
+      return {{box_.low, box_.high, found, {}}};
     }
     std::vector<Done> done;
     long looked_at = 0;
     std::vector<Part> now{whole_}, next;
     while (!now.empty()) {
-      const bool ends = interrupted() || looked_at >= effort_.most_parts;
+      const auto ends = [&, left = effort_.most_parts - looked_at](std::size_t i) {
+        return interrupted() || static_cast<long>(i) >= left;
+      };
       const auto found = parallel_map(now.size(), [&](std::size_t i) {
-        return ends ? Found{Verdict::undecided(interrupted() ? "interrupted" : "not looked at")}
-                    : look(now[i]);
+        Found one = ends(i) ? Found{Verdict::undecided(
+                                  interrupted() ? "interrupted" : "more parts than were to be looked at")}
+                            : look(now[i]);
+        if (now[i].whole && one.existence.truth != Truth::proved) {
+          one.existence = Verdict::proved();
+          one.motions = *now[i].whole;
+          one.middle.reset();  // it is not known to be one of those
+        }
+        return one;
       });
       next.clear();
       for (std::size_t i = 0; i < now.size(); ++i) {
         looked_at += found[i].looked ? 1 : 0;
         const bool exists = found[i].existence.truth == Truth::proved;
-        const bool is_done = exists && (is_decided(found[i].state) || !effort_.with_state);
+        const bool is_done = exists && (is_decided(found[i].motions.state) || !effort_.with_state);
         width_ = is_done && now[i].volume() > volume_of(width_) ? now[i].half : width_;
-        const auto datum = ends || is_done ? std::nullopt : to_halve(now[i], found[i]);
+        const auto datum = ends(i) || is_done ? std::nullopt : to_halve(now[i], found[i]);
         if (!datum) {
           done.push_back({now[i], found[i]});
           continue;
         }
-        halve(now[i], *datum, found[i].middle, next);
+        halve(now[i], *datum, found[i], next);
       }
       now = next;
     }
@@ -220,7 +252,7 @@ class Search {
  private:
   struct Found {
     Verdict existence;
-    State state = State::undecided;
+    Judged motions = {};
     bool looked = false;
     std::optional<ChainProof> middle = {};  // the closed chain in the middle
     std::vector<double> changes = {};       // with each datum
@@ -278,11 +310,11 @@ class Search {
     for (long looked_at = 0; looked_at < effort_.most_parts && !interrupted(); ++looked_at) {
       const Found found = look(part);
       const bool exists = found.existence.truth == Truth::proved;
-      if (exists && (width_.empty() || is_decided(found.state))) {
+      if (exists && (width_.empty() || is_decided(found.motions.state))) {
         width_ = part.half;
       }
       const auto datum = to_halve(part, found);
-      if (!datum || is_decided(found.state) || (exists && !effort_.with_state)) {
+      if (!datum || is_decided(found.motions.state) || (exists && !effort_.with_state)) {
         return width_.empty() ? found.existence : Verdict::proved();
       }
       const auto [low, high] = part.halved(*datum);
@@ -320,9 +352,7 @@ class Search {
 
   [[nodiscard]] Found look(const Part& part) const {
     const WorkingPrecision scope(bits);
-    const auto open = [](const std::string& why) {
-      return Found{Verdict::undecided(why), State::undecided, true};
-    };
+    const auto open = [](const std::string& why) { return Found{Verdict::undecided(why), {}, true}; };
     const Known& near = known_[part.near];
     const auto middle = reach(near.s, near.proof.nodes, part.middle, most_halvings_of_way);
     if (!middle) {
@@ -339,7 +369,8 @@ class Search {
     }
     const std::vector<Machine> machines = machines_at(part.points());
     const MachineQuestion question{machines.front(), pieces_, periods_, machines};
-    const auto nodes = approximate_chains(question, found.middle->nodes);
+    const Chain chain(question);
+    const auto nodes = approximate_chains(chain, Chain(question_at(part.middle)), found.middle->nodes);
     if (!nodes) {
       return found;
     }
@@ -347,13 +378,14 @@ class Search {
     for (const std::size_t i : part.known) {
       known.push_back({part.inside(known_[i].s), known_[i].proof});
     }
-    const ChainProof proof = prove_chains(question, *nodes, known);
+    known.push_back({Values(part.middle.size()), *found.middle});
+    const ChainProof proof = prove_chains(chain, *nodes, known);
     found.existence = proof.verdict;
     if (proof.verdict.truth == Truth::proved && effort_.with_state) {
-      found.state = state_of(decided(question, proof));
+      found.motions = judged(decided(question, proof));
     }
-    if (!is_decided(found.state)) {
-      found.changes = Chain(question).changes(*nodes);
+    if (!is_decided(found.motions.state)) {
+      found.changes = chain.changes(*nodes);
     }
     return found;
   }
@@ -375,15 +407,15 @@ class Search {
   }
 
   // Both halves have the closed chain in the middle.
-  void halve(const Part& part, std::size_t datum, const std::optional<ChainProof>& middle,
-             std::vector<Part>& into) {
+  void halve(const Part& part, std::size_t datum, const Found& found, std::vector<Part>& into) {
     auto [low, high] = part.halved(datum);
-    if (middle) {
-      known_.push_back({part.middle, *middle});
+    if (found.middle) {
+      known_.push_back({part.middle, *found.middle});
     }
     for (Part * half : {&low, &high}) {
+      half->whole = found.existence.truth == Truth::proved ? std::optional(found.motions) : std::nullopt;
       std::erase_if(half->known, [&](std::size_t i) { return !half->contains(known_[i].s); });
-      if (middle) {
+      if (found.middle) {
         half->near = known_.size() - 1;
         half->known.push_back(half->near);
       }
@@ -430,11 +462,11 @@ class Search {
         }
       }
       PartOfBox& one = parts.emplace_back(
-          PartOfBox{inverted(low), inverted(high), found.existence, found.state, of_part[i]});
+          PartOfBox{inverted(low), inverted(high), found.existence, found.motions, of_part[i]});
       if (found.existence.truth == Truth::proved && of_part[i] == none) {
         one.existence =
             Verdict::undecided("no way through parts that are proved leads there from the motion");
-        one.state = State::undecided;
+        one.motions = {};
       }
     }
     return parts;
@@ -480,8 +512,7 @@ std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<Motion
   for (const MotionAt& motion : motions) {
     if (!std::ranges::equal(motion.guess.events, motions.front().guess.events, {},
                             &MachineGuess::Event::begins, &MachineGuess::Event::begins)) {
-      return {{box.low, box.high, Verdict::undecided("the motions are not through the same phases"),
-               State::undecided}};
+      return {{box.low, box.high, Verdict::undecided("the motions are not through the same phases"), {}}};
     }
   }
   return Search(box, motions, effort).run();
@@ -524,7 +555,7 @@ std::vector<Joint> joints_between(const std::function<Machine(const Rational&)>&
         continue;
       }
       family = part.family;
-      if (!state || part.state != *state) {
+      if (!state || part.motions.state != *state) {
         joint.state = Verdict::undecided("a condition or the stability is not decided");
       }
     }

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "numeric/branches/state.hpp"
@@ -36,14 +37,20 @@ struct DataBox {
   Values low, high;  // low < high
 };
 
+// What motions are, each of them by proof, where it is asked for; with the names of the conditions that all
+// of them violate or, where the state is not decided, of those that are open, "stability" included.
+struct Judged {
+  branches::State state = branches::State::undecided;
+  std::string names;
+};
+
 struct PartOfBox {
   Values low, high;
   // Of "at all data there is exactly one closed motion in a box that goes with the data, these depend
   // continuously on the data, the given motions in the part are among them, and they are one family with
   // those of all other parts of that number and with the given motion of it".
   Verdict existence;
-  // Each of them is in it, by proof; where it is asked for.
-  branches::State state = branches::State::undecided;
+  Judged motions;
   std::size_t family = 0;
 };
 

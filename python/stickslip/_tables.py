@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 _Number = Union[Exact, float]
 _Rectangle = Tuple[Tuple[Exact, Exact], Tuple[Exact, Exact]]
+_Range = Tuple[str, Exact, Exact]
 
 
 class Record(Mapping[str, Any]):
@@ -64,8 +65,8 @@ def _text(name: str, value: Optional[_Number]) -> Optional[str]:
     return None if value is None else number(name, value)
 
 
-def _range(along: Optional[Tuple[str, Exact, Exact]]) -> Sequence[Tuple[str, str]]:
-    return [] if along is None else [(along[0], interval("along", along[1:]))]
+def _ranges(*along: _Range) -> Sequence[Tuple[str, str]]:
+    return [(path, interval("along", tuple(ends))) for path, *ends in along]
 
 
 def _rectangle(name: str, starts: Optional[_Rectangle]) -> Optional[str]:
@@ -91,7 +92,7 @@ class MachineInTables:
         return f"MachineInTables({self.file!r})"
 
     def attractors(self, starts: Optional[int] = None, seed: Optional[int] = None, most_periods: int = 20000,
-                   digits: int = 20, along: Optional[Tuple[str, Exact, Exact]] = None, values: Optional[int] = None,
+                   digits: int = 20, along: Optional[_Range] = None, values: Optional[int] = None,
                    plane: Optional[Tuple[str, str]] = None, pixels: Optional[int] = None,
                    through: Optional[Sequence[_Number]] = None, window: Optional[Sequence[_Number]] = None,
                    neighbourhood: bool = False, jobs: Optional[int] = None) -> Record:
@@ -105,7 +106,7 @@ class MachineInTables:
         """
         asking = self._asking("attractors", starts=count("starts", starts, 100000), seed=count("seed", seed, 10**9),
                               most_periods=count("most_periods", most_periods, 10**9),
-                              digits=whole("digits", digits, 1, 2000), along=_range(along),
+                              digits=whole("digits", digits, 1, 2000), along=_ranges(*([along] if along else [])),
                               values=count("values", values, 10000), plane=None if plane is None else ",".join(plane),
                               pixels=count("pixels", pixels, 1000), through=_state("through", through),
                               window=_state("window", window), neighbourhood=bool(neighbourhood))
@@ -125,19 +126,22 @@ class MachineInTables:
                               basin=_rectangle("basin", basin))
         return Record(_json.loads(_core.orbits_in_tables(asking, conduct(jobs))))
 
-    def branch(self, word: str, along: Tuple[str, Exact, Exact], at: Optional[Exact] = None,
+    def branch(self, word: str, along: Union[_Range, Sequence[_Range]], at: Optional[Exact] = None,
                period: Optional[int] = None, orbit: Optional[int] = None,
                near: Optional[Sequence[_Number]] = None, all: bool = False, basin: Optional[_Rectangle] = None,
-               without_gaps: bool = False, jobs: Optional[int] = None) -> Record:
+               without_gaps: bool = False, parts: Optional[int] = None, jobs: Optional[int] = None) -> Record:
         """The branches of these orbits along one of the file's numbers, ("belt.velocity", "0.03", "0.08").
+
+        along: of a list of several, these orbits at all data of that box, proved in so many parts, by default 500.
 
         without_gaps: prove also between the values at which orbits are proved. Of "S", steady sliding along it;
         basin as of orbits.
         """
-        asking = self._asking("branch", word, along=_range(along),
+        asking = self._asking("branch", word, along=_ranges(*([along] if isinstance(along, tuple) and isinstance(along[0], str) else along)),
                               at=None if at is None else exact("at", at), period=count("period", period, 100000),
                               orbit=count("orbit", orbit, 10**6), near=_state("near", near), all=bool(all),
-                              basin=_rectangle("basin", basin), without_gaps=bool(without_gaps))
+                              basin=_rectangle("basin", basin), without_gaps=bool(without_gaps),
+                              parts=count("parts", parts, 10**6))
         return Record(_json.loads(_core.branch_in_tables(asking, conduct(jobs))))
 
     def simulate(self, state: Sequence[_Number], time: Optional[_Number] = None, periods: Optional[_Number] = None,

@@ -312,6 +312,36 @@ void write(Object& json, const Branches& result) {
   json.has("interrupted", result.interrupted);
 }
 
+void write(Object& json, const OverBox& result) {
+  write_provenance(json, command_of(result));
+  write_word(json, result.question, result.origin);
+  json.list("data", result.data, [](Object& to, const OverBox::Datum& datum) {
+    to.has("path", datum.path, "Of a number in the file.");
+    to.has("from", datum.from);
+    to.has("to", datum.to);
+    to.has("at", datum.start, "Where the motions are looked for.");
+  });
+  json.has("parts", result.most_parts, "How many are looked at at most, of each motion.");
+  json.list("motions", result.motions, [&](Object& to, const OverBox::Family& family) {
+    to.object("orbit", [&](Object& one) { write_orbit(one, family.at_start, result.question.digits); });
+    to.list(
+        "parts", family.parts,
+        [](Object& one, const PartOfBox& part) {
+          one.has("from", part.low, "Of each number, in the order of `data`.");
+          one.has("to", part.high);
+          one.has("existence", part.existence.truth,
+                  "On: at all data there is exactly one such motion near, of the orbit's family.");
+          one.has("state", part.motions.state, names_through(branches::State::undecided));
+          one.has("names", orbits::if_any(part.motions.names),
+                  "Conditions that all motions violate or, where the state is not decided, that are open.");
+          one.has("reason", orbits::if_any(part.existence.reason), "Why their existence is undecided.");
+        },
+        "They make up the box.");
+  });
+  json.has("seen", orbits::if_any(result.seen), "What was met in place of an orbit of the word.");
+  json.has("interrupted", result.interrupted);
+}
+
 void write(Object& json, const SetMotion& result) {
   const SetAfter& set = result.set;
   const SetAfterQuestion& q = set.question;
@@ -453,6 +483,9 @@ Json to_json(const WordOrbits& result) {
 Json to_json(const Branches& result) {
   return written(result, writer);
 }
+Json to_json(const OverBox& result) {
+  return written(result, writer);
+}
 Json to_json(const Steady& result) {
   return written(result, writer);
 }
@@ -479,6 +512,7 @@ std::vector<File> schemas() {
   basins.basins.starts = {Eigen::VectorXd::Zero(2)};
   const WordOrbits of_word{{word, {}, {}}, {}};
   const Branches branches{word, "belt.velocity", 0, 1, 0, {}, false, false, {}, {}, false, {}};
+  const OverBox box{.question = word};
   Motion motion;
   motion.machine = machine;
   SetMotion set;
@@ -493,6 +527,9 @@ std::vector<File> schemas() {
       schema_file("machine_branches",
                   "stickslip branch WORD of a machine in tables: orbits over one of its numbers, proved",
                   schema_by(branches, writer)),
+      schema_file("machine_box",
+                  "stickslip branch WORD of a machine in tables: orbits over a box of its numbers, proved",
+                  schema_by(box, writer)),
       schema_file("machine_steady", "stickslip orbits S of a machine in tables: steady sliding, proved",
                   schema_by(Steady{machine, {}, 20, {}}, writer)),
       schema_file("machine_steady_branch",

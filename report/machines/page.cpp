@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "core/decimal.hpp"
@@ -229,6 +231,117 @@ std::vector<File> pages(const Branches& result) {
   files.push_back({"branches.csv", to_csv(result)});
   files.push_back({"branches.json", to_text(to_json(result))});
   return orbits::with_page("branches.html", data, std::move(files));
+}
+
+namespace {
+
+// What parts look like, and whether one looks so.
+struct Look {
+  const char * words;
+  const char * colour;
+  bool (*is_of)(const PartOfBox&);
+};
+
+bool exists(const PartOfBox& part) {
+  return part.existence.truth == Truth::proved;
+}
+template <branches::State state>
+bool is(const PartOfBox& part) {
+  return exists(part) && part.motions.state == state;
+}
+
+constexpr std::array<Look, 6> looks{
+    {{"stable", "#4eb3d3", is<branches::State::stable>},
+     {"unstable", "#ef8a62", is<branches::State::unstable>},
+     {"closed, but against the friction law", "#c0c0c0",
+      [](const PartOfBox& part) {
+        return is<branches::State::inadmissible>(part) || is<branches::State::absent>(part);
+      }},
+     {"1 is a multiplier", "#7b3294", is<branches::State::marginal>},
+     {"there, but what they are is not decided", "#fdd49e",
+      [](const PartOfBox& part) { return exists(part) && !is_decided(part.motions.state); }},
+     {"not decided", "#404040", [](const PartOfBox& part) { return !exists(part); }}}};
+
+}  // namespace
+
+std::string plot_script(const OverBox& result, PlotFormat format, PlotShape shape, std::size_t motion) {
+  if (motion >= result.motions.size()) {
+    return "";
+  }
+  const bool narrow = shape == PlotShape::narrow;
+  Json data{
+      {"terminal", narrow ? terminal(format, 480, 560) : terminal(format, 900, 700)},
+      {"narrow", narrow},
+      {"title",
+       fmt::format("What motions through {} are, {}", result.question.word.letters(), result.origin.file)},
+      {"start", fmt::format("{:.17g} {:.17g}", result.data[0].start.get_d(), result.data[1].start.get_d())},
+      {"kinds", Json::array()}};
+  for (const auto& [k, name, from, to] :
+       {std::tuple(std::size_t{0}, "x", "left", "right"), std::tuple(std::size_t{1}, "y", "bottom", "top")}) {
+    data[name] = parameter_of(result.data[k].path, result.origin);
+    data[from] = fmt::format("{:.17g}", result.data[k].from.get_d());
+    data[to] = fmt::format("{:.17g}", result.data[k].to.get_d());
+  }
+  const auto is_drawn = [&](const PartOfBox& part) {
+    for (std::size_t k = 2; k < part.low.size(); ++k) {
+      if (result.data[k].start < part.low[k] || result.data[k].start > part.high[k]) {
+        return false;
+      }
+    }
+    return true;
+  };
+  for (const Look& look : looks) {
+    std::string table;
+    for (const PartOfBox& part : result.motions[motion].parts) {
+      if (is_drawn(part) && look.is_of(part)) {
+        table += fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}\n", part.low[0].get_d(), part.high[0].get_d(),
+                             part.low[1].get_d(), part.high[1].get_d());
+      }
+    }
+    if (!table.empty()) {
+      data["kinds"].push_back({{"block", fmt::format("$kind{}", data["kinds"].size())},
+                               {"table", table},
+                               {"words", look.words},
+                               {"colour", look.colour}});
+    }
+  }
+  return render_file("box.gp", data, plain_format);
+}
+
+std::vector<File> pages(const OverBox& result) {
+  const Seen seen{result.question.machine, result.origin.in_SI};
+  const std::string& word = result.question.word.letters();
+  Json data = frame(word + " over a box of data", command_of(result), seen, result.question.digits);
+  data["tables"].push_back(orbits::table(
+      "box", "Box", {{{"data"}, {box_of(result)}}, {{"looked for"}, {"at " + start_of(result)}}}));
+  data["motions"] = Json::array();
+  std::vector<File> files;
+  for (std::size_t k = 0; k < result.motions.size(); ++k) {
+    const OverBox::Family& family = result.motions[k];
+    const BoxRows rows = rows_of(result, family);
+    const std::string stem = fmt::format("box-{}", k + 1);
+    Json one{{"number", k + 1},
+             {"tone", rows.proved ? "proved" : "undecided"},
+             {"tell", rows.proved ? "all decided" : "undecided in part"},
+             {"heading", rows.heading},
+             {"rows", orbits::rows_data(orbit_rows(family.at_start, seen, result.question.digits))},
+             {"picture", stem},
+             {"picture_in_words", fmt::format("Parts of the box. The table above says how much they are.")},
+             {"what_is_drawn",
+              fmt::format("the parts of the box{}, and what motions are in them",
+                          result.data.size() > 2 ? " where the other data are those of the start" : "")}};
+    one["kinds"] = list_of(rows.kinds, [](const Row& row) {
+      return Json{{"share", row[0].text}, {"parts", row[1].text}, {"words", row[2].text}};
+    });
+    std::ranges::move(
+        orbits::pictures(
+            [&](PlotFormat format, PlotShape shape) { return plot_script(result, format, shape, k); }, stem),
+        std::back_inserter(files));
+    data["motions"].push_back(std::move(one));
+  }
+  files.push_back({"box.csv", to_csv(result)});
+  files.push_back({"box.json", to_text(to_json(result))});
+  return orbits::with_page("box.html", data, std::move(files));
 }
 
 }  // namespace stickslip::report::machines

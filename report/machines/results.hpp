@@ -8,6 +8,7 @@
 
 #include "numeric/machines/machine_attractors.hpp"
 #include "numeric/machines/machine_branch.hpp"
+#include "numeric/machines/motions_over_data.hpp"
 #include "numeric/machines/planar_basin.hpp"
 #include "numeric/machines/set_after.hpp"
 #include "numeric/machines/steady_sliding.hpp"
@@ -59,6 +60,26 @@ struct Branches {
   bool interrupted = false;
   Origin origin;
 };
+// Of motions through a word's phases where several of the file's numbers, by their paths, vary at once.
+struct OverBox {
+  numeric::machines::MachineWord question;  // with the machine at `start`
+  struct Datum {
+    std::string path;
+    Rational from, to, start;
+  };
+  std::vector<Datum> data = {};
+  std::optional<int> orbit = {};  // of those at the start, from 1; nothing: all
+  bool all = false;               // that are not admissible, too
+  long most_parts = 0;            // that are looked at, of each
+  struct Family {
+    numeric::machines::MachineOrbit at_start;
+    std::vector<numeric::machines::PartOfBox> parts;
+  };
+  std::vector<Family> motions = {};
+  std::string seen = {};  // what was met at the start in place of an orbit
+  bool interrupted = false;
+  Origin origin = {};
+};
 // Steady sliding, and along one of the file's numbers; `machine` is the file's. With the share of starts that
 // end in it, if it was asked for.
 struct SteadyBasin {
@@ -107,6 +128,7 @@ struct SetMotion {
 [[nodiscard]] orbits::ToldPlane told(const Basins& result);
 [[nodiscard]] std::string terminal_report(const WordOrbits& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Branches& result, const tools::Style& style);
+[[nodiscard]] std::string terminal_report(const OverBox& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Steady& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const SteadyBranch& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Motion& result, const tools::Style& style);
@@ -117,6 +139,7 @@ struct SetMotion {
 [[nodiscard]] tools::Json to_json(const Basins& result);
 [[nodiscard]] tools::Json to_json(const WordOrbits& result);
 [[nodiscard]] tools::Json to_json(const Branches& result);
+[[nodiscard]] tools::Json to_json(const OverBox& result);
 [[nodiscard]] tools::Json to_json(const Steady& result);
 [[nodiscard]] tools::Json to_json(const SteadyBranch& result);
 [[nodiscard]] tools::Json to_json(const Motion& result);
@@ -126,6 +149,9 @@ struct SetMotion {
 // A line of names, then a line for each orbit that was proved on its own: the number, the branch, the state,
 // the period, how long each phase lasts, x and x' when the first begins; with 17 digits.
 [[nodiscard]] std::string to_csv(const Branches& result);
+// A line of names, then a line for each part: the motion (1, 2, …), least and greatest value of each number,
+// exactly, and what the motions are in it.
+[[nodiscard]] std::string to_csv(const OverBox& result);
 // Names with units; t, phase, x, x', r, u, E; numbers with 17 digits.
 [[nodiscard]] std::string csv_names(const Motion& motion);
 [[nodiscard]] std::string csv_line(
@@ -135,6 +161,11 @@ struct SetMotion {
 // is nothing to draw.
 [[nodiscard]] std::string plot_script(const Branches& result, tools::PlotFormat format,
                                       tools::PlotShape shape = tools::PlotShape::wide);
+// The parts in the plane of the first two numbers, where the others are as at the start, of one of the
+// motions, from 0; empty when there is none.
+[[nodiscard]] std::string plot_script(const OverBox& result, tools::PlotFormat format,
+                                      tools::PlotShape shape = tools::PlotShape::wide,
+                                      std::size_t motion = 0);
 
 // The files of one directory: index.html with its style sheets, the JSON, pictures. Throw InputOutputError if
 // a program that draws is missing or fails.
@@ -143,5 +174,6 @@ struct SetMotion {
 [[nodiscard]] std::vector<tools::File> pages(const Basins& result);
 [[nodiscard]] std::vector<tools::File> pages(const WordOrbits& result);
 [[nodiscard]] std::vector<tools::File> pages(const Branches& result);
+[[nodiscard]] std::vector<tools::File> pages(const OverBox& result);
 
 }  // namespace stickslip::report::machines

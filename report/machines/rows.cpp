@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 
 #include "core/decimal.hpp"
 #include "numeric/words/word.hpp"
@@ -288,6 +290,16 @@ std::string command_of(const Branches& result) {
       std::string(result.all ? " --all" : "") + (result.without_gaps ? " --without-gaps" : ""));
 }
 
+std::string command_of(const OverBox& result) {
+  std::string along;
+  for (const auto& [path, from, to, start] : result.data) {
+    along += fmt::format(" --along {} {}..{}", path, to_string(from), to_string(to));
+  }
+  return fmt::format("stickslip branch {}{}{}{} --parts {}", of_word(result.question, result.origin.file),
+                     along, result.orbit ? fmt::format(" --orbit {}", *result.orbit) : "",
+                     result.all ? " --all" : "", result.most_parts);
+}
+
 std::string command_of(const Motion& result) {
   return fmt::format("stickslip simulate --params {} --state={}{} --time={:.17g}{}", result.origin.file,
                      orbits::comma_separated(result.start),
@@ -369,6 +381,108 @@ BranchRows rows_of(const MachineBranch& branch) {
                             {change.words}});
   }
   return rows;
+}
+
+namespace {
+
+// Parts of which the same is known.
+struct KindOfPart {
+  Rational volume = 0;
+  long parts = 0;
+  Values low, high;  // of all of them
+
+  void add(const PartOfBox& part) {
+    Rational its = 1;
+    for (std::size_t k = 0; k < part.low.size(); ++k) {
+      its *= part.high[k] - part.low[k];
+    }
+    volume += its;
+    if (++parts == 1) {
+      low = part.low;
+      high = part.high;
+    }
+    for (std::size_t k = 0; k < low.size(); ++k) {
+      low[k] = std::min(low[k], part.low[k]);
+      high[k] = std::max(high[k], part.high[k]);
+    }
+  }
+};
+
+// Less than all is less than 100 %.
+std::string percent(const Rational& share) {
+  constexpr int digits = 4;
+  return share == 1 ? "100 %" : below(Rational(100 * share).get_d(), digits) + " %";
+}
+
+std::string in_words(const PartOfBox& part) {
+  if (part.existence.truth != Truth::proved) {
+    return "undecided: " + part.existence.reason;
+  }
+  const auto& [state, names] = part.motions;
+  return state == branches::State::undecided ? "there, but what they are is undecided: " + names
+         : names.empty()                     ? to_string(state)
+         : is_decided(state)                 ? fmt::format("{}: {} is violated", to_string(state), names)
+                                             : fmt::format("{}, {} undecided", to_string(state), names);
+}
+
+}  // namespace
+
+BoxRows rows_of(const OverBox& result, const OverBox::Family& family) {
+  Rational whole = 1, exists = 0, decided = 0;
+  std::map<std::string, KindOfPart> kinds;
+  KindOfPart all;
+  for (const PartOfBox& part : family.parts) {
+    kinds[in_words(part)].add(part);
+    const Rational before = all.volume;
+    all.add(part);
+    const Rational its = all.volume - before;
+    exists += part.existence.truth == Truth::proved ? its : Rational(0);
+    decided += part.existence.truth == Truth::proved && is_decided(part.motions.state) ? its : Rational(0);
+  }
+  whole = all.volume;
+  BoxRows rows{
+      exists == 0
+          ? "Nothing is proved of this box."
+          : fmt::format(
+                "At all data in {} there is exactly one such motion near, and "
+                "it changes continuously with them. Of {} it is proved what the "
+                "motions are.",
+                exists == whole ? "the box" : percent(Rational(exists / whole)) + " of the box",
+                decided == exists ? "all of them" : percent(Rational(decided / whole)) + " of the box"),
+      decided == whole,
+      {}};
+  std::vector<std::pair<std::string, KindOfPart>> order(kinds.begin(), kinds.end());
+  std::ranges::stable_sort(order, std::greater(), [](const auto& one) { return one.second.volume; });
+  for (const auto& [words, kind] : order) {
+    std::string where;
+    for (std::size_t k = 0; k < result.data.size(); ++k) {
+      const auto& [path, from, to, start] = result.data[k];
+      if (kind.low[k] != from || kind.high[k] != to) {
+        where += fmt::format("{}{} from {} to {}", where.empty() ? "; " : ", ", path,
+                             short_number(kind.low[k]), short_number(kind.high[k]));
+      }
+    }
+    rows.kinds.push_back(
+        {{percent(Rational(kind.volume / whole))}, {std::to_string(kind.parts)}, {words + where}});
+  }
+  return rows;
+}
+
+std::string box_of(const OverBox& result) {
+  std::vector<std::string> all;
+  for (const auto& [path, from, to, start] : result.data) {
+    all.push_back(
+        fmt::format("{} from {} to {}", parameter_of(path, result.origin), to_string(from), to_string(to)));
+  }
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+std::string start_of(const OverBox& result) {
+  std::vector<std::string> all;
+  for (const OverBox::Datum& datum : result.data) {
+    all.push_back(fmt::format("{} = {}", datum.path, to_string(datum.start)));
+  }
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 std::string parameter_of(const std::string& path, const Origin& origin) {

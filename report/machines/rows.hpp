@@ -49,6 +49,7 @@ struct Seen {
 [[nodiscard]] std::string command_of(const Basins& result);
 [[nodiscard]] std::string command_of(const WordOrbits& result);
 [[nodiscard]] std::string command_of(const Branches& result);
+[[nodiscard]] std::string command_of(const OverBox& result);
 [[nodiscard]] std::string command_of(const Motion& result);
 [[nodiscard]] std::string command_of(const SetMotion& result);
 [[nodiscard]] std::string command_of(const Steady& result);
@@ -61,6 +62,17 @@ struct BranchRows {
   std::vector<tools::Row> pieces, changes;
 };
 [[nodiscard]] BranchRows rows_of(const numeric::machines::MachineBranch& branch);
+// Of motions over a box of data: what is proved of all parts; then, the largest share of the box first, of
+// each kind of part its share, how many parts, what the motions are in them and where in the box they lie.
+struct BoxRows {
+  std::string heading;
+  bool proved = false;  // the motions exist in all of them and it is decided what they are
+  std::vector<tools::Row> kinds;
+};
+[[nodiscard]] BoxRows rows_of(const OverBox& result, const OverBox::Family& family);
+// "belt.velocity in m/s from 0.09 to 0.11", "belt.velocity = 1/10" of each number.
+[[nodiscard]] std::string box_of(const OverBox& result);
+[[nodiscard]] std::string start_of(const OverBox& result);
 // The path, with its unit where it is known.
 [[nodiscard]] std::string parameter_of(const std::string& path, const Origin& origin);
 // Of steady sliding: positions, friction, stability, eigenvalues.

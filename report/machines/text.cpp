@@ -152,6 +152,29 @@ std::string terminal_report(const Branches& result, const Style& style) {
   return text;
 }
 
+std::string terminal_report(const OverBox& result, const Style& style) {
+  const Seen seen{result.question.machine, result.origin.in_SI};
+  std::vector<Row> more{{{"box"}, {box_of(result)}},
+                        {{"motions"},
+                         {fmt::format("{} at {}{}{}", result.motions.size(), start_of(result),
+                                      result.seen.empty() ? "" : "; " + result.seen,
+                                      result.interrupted ? "; interrupted" : "")}}};
+  std::string text = heading(fmt::format("{} over a box of data", result.question.word.letters()), style) +
+                     machine_text(seen, style, more);
+  for (std::size_t k = 0; k < result.motions.size(); ++k) {
+    const OverBox::Family& family = result.motions[k];
+    BoxRows rows = rows_of(result, family);
+    text += "\n" + heading(fmt::format("Motion {}: {}", k + 1, remark(family.at_start)), style) +
+            labelled(2, "", rows.heading, style.width);
+    rows.kinds.insert(rows.kinds.begin(), {{"of the box"}, {"parts"}, {"motions are"}});
+    for (Row& row : rows.kinds) {
+      row[0].text = "  " + row[0].text;
+    }
+    text += columns_of(rows.kinds, style.width);
+  }
+  return text;
+}
+
 std::string terminal_report(const Steady& result, const Style& style) {
   const Seen seen{result.machine, result.origin.in_SI};
   std::vector<Row> rows = rows_of(result.state, seen, result.digits);
@@ -276,6 +299,25 @@ std::string to_csv(const Branches& result) {
         text += fmt::format(",{:.17g}", x.approximate());
       }
       text += "\n";
+    }
+  }
+  return text;
+}
+
+std::string to_csv(const OverBox& result) {
+  std::string text = "motion";
+  for (const OverBox::Datum& datum : result.data) {
+    text += fmt::format(",{0} from,{0} to", datum.path);
+  }
+  text += ",existence,state,names,reason\n";
+  for (std::size_t k = 0; k < result.motions.size(); ++k) {
+    for (const PartOfBox& part : result.motions[k].parts) {
+      text += std::to_string(k + 1);
+      for (std::size_t i = 0; i < part.low.size(); ++i) {
+        text += fmt::format(",{},{}", to_string(part.low[i]), to_string(part.high[i]));
+      }
+      text += fmt::format(",{},{},\"{}\",\"{}\"\n", to_string(part.existence.truth),
+                          to_string(part.motions.state), part.motions.names, part.existence.reason);
     }
   }
   return text;

@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 // Version of the layouts of all JSON, which its schemas describe (schemas.hpp): a new number in front
 // when something is renamed or removed, behind when added.
-inline constexpr const char * schema_version = "2.13";
+inline constexpr const char * schema_version = "2.14";
 
 // What every result says about its origin: {"schema_version", "date": text or null, "program": {"name",
 // "version"}, "libraries": [{"name", "version"}], "command"}.

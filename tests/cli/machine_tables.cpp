@@ -151,7 +151,7 @@ TEST_CASE("a smooth law of friction is read, and its numbers can vary") {
   }
   CHECK(law.sliding.back().slope == Rational(7, 10));
   CHECK(cli::value_in_tables(text, "m.toml", "friction.sliding.over") == Rational(1, 20));
-  const auto other = cli::machine_in_tables(text, "m.toml", cli::Datum{"friction.sliding.to", Rational(7)});
+  const auto other = cli::machine_in_tables(text, "m.toml", {{"friction.sliding.to", Rational(7)}});
   CHECK(other->machine.oscillator.backward.smooth->last == 7);
   const auto with = [&](const std::string& from, const std::string& to) {
     std::string changed = text;
@@ -298,7 +298,7 @@ TEST_CASE("what starts end on along a number of the file, and in a plane") {
 
 TEST_CASE("a number of the file by its path takes another value, and nothing else changes") {
   const auto with = [](const char * path, const Rational& value) {
-    return cli::machine_in_tables(good, "m.toml", cli::Datum{path, value})->machine.oscillator;
+    return cli::machine_in_tables(good, "m.toml", {{path, value}})->machine.oscillator;
   };
   const auto before = cli::machine_in_tables(good, "m.toml")->machine.oscillator;
   CHECK(with("mass.2.m", 3).masses == std::vector<Rational>{Rational("5/2"), 3});
@@ -319,13 +319,13 @@ TEST_CASE("a number of the file by its path takes another value, and nothing els
   }
   // Of several loads the frequencies vary together.
   const std::string two = good + "[[load]]\nmass = 1\namplitude = 2\nfrequency = 10.8\n";
-  const auto faster = cli::machine_in_tables(two, "m.toml", cli::Datum{"frequency", 4})->machine.oscillator;
+  const auto faster = cli::machine_in_tables(two, "m.toml", {{"frequency", 4}})->machine.oscillator;
   CHECK(faster.omega == 4);
   CHECK(faster.loads[0].k == 1);
   CHECK(faster.loads[1].k == 3);
   const auto refused = [](const std::string& text, const std::string& path) -> std::string {
     try {
-      (void)cli::machine_in_tables(text, "m.toml", cli::Datum{path, 1});
+      (void)cli::machine_in_tables(text, "m.toml", {{path, 1}});
     } catch (const UsageError& error) {
       return error.what();
     }
@@ -344,9 +344,8 @@ TEST_CASE("a number of the file by its path takes another value, and nothing els
   }
   CHECK(refused(good, "belt.speed").find("nothing stands at belt.speed") != std::string::npos);
   // A value that takes the place of the file's is as large as that may be.
-  CHECK_THROWS_AS(
-      (void)cli::machine_in_tables(good, "m.toml", cli::Datum{"mass.1.m", parse_rational("1e300")}),
-      UsageError);
+  CHECK_THROWS_AS((void)cli::machine_in_tables(good, "m.toml", {{"mass.1.m", parse_rational("1e300")}}),
+                  UsageError);
   CHECK(refused(good, "belt.mass") == "m.toml: belt.mass is no number that can vary");
 }
 
@@ -409,6 +408,28 @@ TEST_CASE("commands about a machine in tables: orbits, a branch, a motion, pages
   CHECK(whole.code == exit_decided);
   CHECK(whole.out.find("a curve without a gap") != std::string::npos);
   CHECK(whole.out.find("129      stable, and at all values between") != std::string::npos);
+  const Words along_both{"branch",         "OTS",     "--along",    "belt.velocity",
+                         "0.0495..0.0505", "--along", "spring.1.c", "0.59..0.61"};
+  const Run box = run(with(along_both, {"--csv", directory / "box.csv", "--out", directory / "box"}));
+  CHECK(box.code == exit_decided);
+  CHECK(box.out.find("At all data in the box there is exactly one such motion near") != std::string::npos);
+  CHECK(box.out.find("100 %       1      stable") != std::string::npos);
+  CHECK(content(directory / "box.csv") ==
+        "motion,belt.velocity from,belt.velocity to,spring.1.c from,spring.1.c "
+        "to,existence,state,names,reason\n"
+        "1,0.0495,0.0505,0.59,0.61,proved,stable,\"\",\"\"\n");
+  for (const char * name : {"index.html", "box-1.svg", "box.json", "box.csv"}) {
+    CHECK(std::filesystem::exists(directory / "box/" + name));
+  }
+  // Across r = u_r while it sticks; where the numbers do not change linearly.
+  const Run across = run({"branch", "OTS", "--along", "friction.at_rest", "13.19..13.21", "--along",
+                          "spring.1.c", "0.59..0.61", "--parts", "8"});
+  CHECK(across.code == exit_undecided);
+  CHECK(across.out.find("there, but what they are is undecided: stick.upper") != std::string::npos);
+  const Run curved = run({"branch", "OTS", "--along", "friction.sliding.2.1", "0.049..0.051", "--along",
+                          "spring.1.c", "0.59..0.61"});
+  CHECK(curved.code == exit_undecided);
+  CHECK(curved.out.find("undecided: the machine's numbers do not change") != std::string::npos);
   CHECK(run({"attractors", "--starts", "5", "--out", directory / "attractors"}).code == exit_decided);
   CHECK(run({"orbits", "OTS", "--out", directory / "orbits"}).code == exit_decided);
   for (const char * name : {"attractors/index.html", "attractors/portrait-1.svg",
@@ -703,6 +724,31 @@ TEST_CASE("what does not go with a machine in tables is refused in a sentence") 
         exit_domain,
         "more than the one before"},
        {{"branch", "OTS", "--along", "friction.at_rest", "5..12"}, exit_domain, "friction at rest"},
+       {{"branch", "OTS", "--along", "belt.velocity", "0.04..0.05", "--along", "friction.at_rest", "5..14"},
+        exit_domain,
+        "friction at rest"},
+       {{"branch", "OTS", "--along", "belt.velocity", "0.04..0.05", "--along", "belt.velocity", "0.04..0.05"},
+        exit_usage,
+        "belt.velocity and belt.velocity are one number"},
+       {{"branch", "OTS", "--along", "frequency", "3..4", "--along", "load.1.frequency", "3..4"},
+        exit_usage,
+        "frequency and load.1.frequency are one number"},
+       {{"branch", "OTS", "--along", "belt.velocity", "0.05..0.05", "--along", "spring.1.c", "0.5..0.6"},
+        exit_usage,
+        "'0.05..0.05' does not rise"},
+       {{"branch", "OTS", "--along", "belt.velocity", "0.04..0.05", "--along", "spring.1.c", "0.5..0.6",
+         "--at", "0.05"},
+        exit_usage,
+        "--at does not go with"},
+       {{"branch", "OTS", "--along", "belt.velocity", "0.04..0.05", "--parts", "9"},
+        exit_usage,
+        "--parts is for several --along"},
+       {{"branch", "S", "--along", "belt.velocity", "0.04..0.05", "--along", "spring.1.c", "0.5..0.6"},
+        exit_usage,
+        "--along is for one number here, not for 2 of them"},
+       {{"attractors", "--along", "belt.velocity", "0.04..0.05", "--along", "spring.1.c", "0.5..0.6"},
+        exit_usage,
+        "--along is for one number here, not for 2 of them"},
        {{"atlas", "symmetric"}, exit_usage, "is a machine in tables: that is for stickslip orbits WORD"}},
       about(file));
   check_refused({{{"simulate", "--state=0,0,0,0"}, exit_usage, "--time T says how long"},

@@ -52,6 +52,16 @@ def test_a_branch_is_proved_at_all_values_where_that_is_asked_for():
     assert {(joint.existence, joint.state) for joint in branch.joints} == {("proved", "proved")}
 
 
+def test_a_box_of_data_is_proved_at_once(machine):
+    found = machine.branch("OTS", [("belt.velocity", "0.0495", "0.0505"), ("spring.1.c", "0.59", "0.61")], parts=20)
+    assert [datum.path for datum in found.data] == ["belt.velocity", "spring.1.c"]
+    part, = found.motions[0].parts
+    assert (part.existence, part.state) == ("proved", "stable")
+    assert (part["from"], part.to) == (("0.0495", "0.59"), ("0.0505", "0.61"))
+    with pytest.raises(stickslip.UsageError, match="--parts is for several"):
+        machine.branch("OTS", ("belt.velocity", "0.04", "0.06"), parts=20)
+
+
 def test_which_starts_end_in_steady_sliding():
     machine = stickslip.MachineInTables(MACHINE.with_name("smooth_stribeck.toml"))
     found = machine.orbits("S", basin=((-2, 2), (0, 2)))

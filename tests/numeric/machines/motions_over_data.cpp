@@ -66,6 +66,11 @@ std::vector<Datum> data() {
        }}};
 }
 
+// Of the machine in the middle.
+Chain in_middle(const MachineQuestion& question) {
+  return Chain({question.machine, question.pieces, question.periods});
+}
+
 Machine with(const Datum& datum, const Rational& value) {
   Machine machine = engineers();
   datum.set(machine.oscillator, value);
@@ -365,9 +370,9 @@ TEST_CASE("motions of machines over data lie among those that are proved") {
     Known known{corner, proof_at(box.at(corner))};
     const Nodes middle = proof_at(points.front()).nodes;
     const WorkingPrecision scope(64);
-    const auto nodes = approximate_chains(question, middle);
+    const auto nodes = approximate_chains(Chain(question), in_middle(question), middle);
     REQUIRE(nodes);
-    const ChainProof all = prove_chains(question, *nodes, {known});
+    const ChainProof all = prove_chains(Chain(question), *nodes, {known});
     CAPTURE(all.verdict.reason);
     REQUIRE(all.verdict.truth == Truth::proved);
     for (const std::vector<Rational>& s : box.some_inside()) {
@@ -383,7 +388,7 @@ TEST_CASE("motions of machines over data lie among those that are proved") {
     CHECK(state_of(decided(question, all)) == branches::State::stable);
     // A closed chain that is known elsewhere is not one of them.
     known.s.front() = Rational("1/2");
-    CHECK(prove_chains(question, *nodes, {known}).verdict.truth == Truth::undecided);
+    CHECK(prove_chains(Chain(question), *nodes, {known}).verdict.truth == Truth::undecided);
   }
 }
 
@@ -418,9 +423,9 @@ TEST_CASE("without a load a state is decided on as long a curve as is proved") {
       brake, orbit.pieces, orbit.periods, {at("0.12"), at("0.12004"), at("0.11996")}};
   const ChainProof middle = proof_of(brake);
   const WorkingPrecision scope(64);
-  const auto nodes = approximate_chains(question, middle.nodes);
+  const auto nodes = approximate_chains(Chain(question), in_middle(question), middle.nodes);
   REQUIRE(nodes);
-  const ChainProof curve = prove_chains(question, *nodes, {});
+  const ChainProof curve = prove_chains(Chain(question), *nodes, {});
   REQUIRE(curve.verdict.truth == Truth::proved);
   CHECK(state_of(decided(question, curve)) == branches::State::stable);
 }
@@ -517,7 +522,7 @@ TEST_CASE("a box of two data is proved in parts that make it up, and is what sin
   for (const PartOfBox& part : parts) {
     CAPTURE(part.existence.reason);
     CHECK(part.existence.truth == Truth::proved);
-    CHECK(part.state == branches::State::stable);
+    CHECK(part.motions.state == branches::State::stable);
     area += (part.high[0] - part.low[0]) * (part.high[1] - part.low[1]);
     Values inside = part.low;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -532,11 +537,11 @@ TEST_CASE("a box of two data is proved in parts that make it up, and is what sin
     CHECK(part.existence.truth == Truth::undecided);
   }
   for (const PartOfBox& part : motions_over(box, motions, {1, 100})) {
-    CHECK(part.state == branches::State::undecided);
+    CHECK(part.motions.state == branches::State::undecided);
   }
   for (const PartOfBox& part : motions_over(box, motions, {12, 1000, false})) {
     CHECK(part.existence.truth == Truth::proved);
-    CHECK(part.state == branches::State::undecided);
+    CHECK(part.motions.state == branches::State::undecided);
   }
 }
 
@@ -597,15 +602,26 @@ TEST_CASE("a box of data is divided by what the motion is") {
     whole += area;
     CAPTURE(part.existence.reason);
     CHECK(part.existence.truth == Truth::proved);
-    if (part.state == branches::State::stable) {
+    if (part.motions.state == branches::State::stable) {
       stable += area;
       CHECK(part.low[0] > parse_rational("3.5877"));
-    } else if (part.state == branches::State::inadmissible) {
+    } else if (part.motions.state == branches::State::inadmissible) {
       inadmissible += area;
       CHECK(part.high[0] < parse_rational("3.5879"));
+      CHECK(part.motions.names == "stick.upper");
+    } else {
+      CHECK(part.motions.names.find("stick.upper") != std::string::npos);
     }
   }
   CHECK(stable > whole / 2);
   CHECK(inadmissible > whole / 4);
   CHECK(stable + inadmissible > whole * Rational("9/10"));
+
+  // Where parts are no longer looked at, what is known of one that they are half of.
+  const auto few = motions_over(box, {{start, guess_of(there, at(start))}}, {12, 3});
+  CHECK(few.size() > 1);
+  for (const PartOfBox& part : few) {
+    CAPTURE(part.existence.reason);
+    CHECK(part.existence.truth == Truth::proved);
+  }
 }

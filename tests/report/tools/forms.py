@@ -99,6 +99,11 @@ FORMS = {
         "branch ST --params FREE --along belt.velocity 1.2..1.3 --at 1.25",
         "branch OSOT --params TABLES --along frequency 3.58..3.6"
     ],
+    "machine_box": [
+        "branch OTS --params TABLES --along belt.velocity 0.0495..0.0505 --along spring.1.c 0.59..0.61",
+        "branch OTS --params TABLES --along friction.at_rest 13.19..13.21 --along spring.1.c 0.59..0.61 --parts 8",
+        "branch OSOT --params TABLES --along belt.velocity 0.04..0.05 --along spring.1.c 0.59..0.61"
+    ],
     "machine_steady_branch": [
         "branch S --params FREE --along spring.1.c 0..0.2", "branch S --params TABLES --along belt.velocity 0..1"
     ],
