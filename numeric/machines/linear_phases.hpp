@@ -7,20 +7,16 @@
 #include <array>
 #include <compare>
 #include <map>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/ball.hpp"
 #include "model/friction_oscillator.hpp"
-#include "numeric/machines/in_data.hpp"
+#include "numeric/machines/exponential.hpp"
 #include "numeric/motion/motion.hpp"
 
 namespace stickslip::numeric::machines {
-
-using Matrix = model::MatrixX<Ball>;
-using Vector = model::VectorX<Ball>;
 
 // A phase, and for slips and overshoots which piece of the friction law it is on.
 struct Piece {
@@ -151,29 +147,5 @@ class LinearPhases {
   mutable std::map<std::pair<Piece, bool>, Watch> watches_;
   std::vector<LinearPhases> points_;
 };
-
-// exp(A), by Arb.
-[[nodiscard]] Matrix exponential(const Matrix& A);
-
-// exp(A), of all members of a matrix in data.
-[[nodiscard]] InData<Matrix> exponential(const InData<Matrix>& A, const Vector& units);
-
-// S, powers of two that bring rows and columns of S B S⁻¹ to sums of one size: any S is right where one is
-// asked for, this one makes short work.
-[[nodiscard]] Vector balance(const Matrix& B);
-
-// a b, for an a with many zeros.
-template <class M>
-[[nodiscard]] M sparse_product(const Matrix& a, const M& b) {
-  M product = M::Constant(a.rows(), b.cols(), Ball(0));
-  for (Eigen::Index i = 0; i < a.rows(); ++i) {
-    for (Eigen::Index l = 0; l < a.cols(); ++l) {
-      for (Eigen::Index k = 0; !is_zero(a(i, l)) && k < b.cols(); ++k) {
-        add_product(product(i, k), a(i, l), b(l, k));
-      }
-    }
-  }
-  return product;
-}
 
 }  // namespace stickslip::numeric::machines

@@ -86,7 +86,8 @@ TEST_CASE("each form of JSON has one schema, named by its file") {
     names.push_back(file.name.substr(0, file.name.find('.')));
   }
   CHECK(names == std::vector<std::string>{"atlas", "verification", "machine_attractors", "machine_words",
-                                          "machine_branches", "machine_steady", "machine_steady_branch",
-                                          "machine_simulation", "machine_set", "audit", "orbits", "words",
-                                          "pure", "branches", "attractors", "simulation"});
+                                          "machine_branches", "machine_box", "machine_steady",
+                                          "machine_steady_branch", "machine_simulation", "machine_set",
+                                          "audit", "orbits", "words", "pure", "branches", "attractors",
+                                          "simulation"});
 }
