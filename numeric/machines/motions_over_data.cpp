@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -73,6 +74,8 @@ Judged judged(const MachineOrbit& orbit) {
 
 // How much wider than the last part that was proved one may be to be looked at.
 constexpr double most_growth = 2.5;
+// Parts that are looked at before what comes of them counts for others.
+constexpr std::size_t at_once = 16;
 
 std::vector<Rational> numbers_of(const model::FrictionOscillator<Rational>& o) {
   std::vector<Rational> numbers;
@@ -217,34 +220,45 @@ class Search {
     long looked_at = 0;
     std::vector<Part> now{whole_}, next;
     while (!now.empty()) {
-      const auto ends = [&, left = effort_.most_parts - looked_at](std::size_t i) {
-        return interrupted() || static_cast<long>(i) >= left;
-      };
-      const auto found = parallel_map(now.size(), [&](std::size_t i) {
-        Found one = ends(i) ? Found{Verdict::undecided(
-                                  interrupted() ? "interrupted" : "more parts than were to be looked at")}
-                            : look(now[i]);
-        if (now[i].whole && one.existence.truth != Truth::proved) {
-          one.existence = Verdict::proved();
-          one.motions = *now[i].whole;
-          one.middle.reset();  // it is not known to be one of those
-        }
-        return one;
-      });
       next.clear();
-      for (std::size_t i = 0; i < now.size(); ++i) {
-        looked_at += found[i].looked ? 1 : 0;
-        const bool exists = found[i].existence.truth == Truth::proved;
-        const bool is_done = exists && (is_decided(found[i].motions.state) || !effort_.with_state);
-        width_ = is_done && now[i].volume() > volume_of(width_) ? now[i].half : width_;
-        const auto datum = ends(i) || is_done ? std::nullopt : to_halve(now[i], found[i]);
-        if (!datum) {
-          done.push_back({now[i], found[i]});
-          continue;
+      for (std::size_t first = 0; first < now.size(); first += at_once) {
+        const auto is_left_out = [&, left = effort_.most_parts - looked_at](std::size_t i) {
+          return interrupted() || static_cast<long>(first + i) >= effort_.most_parts ||
+                 static_cast<long>(i) >= left;
+        };
+        const auto found = parallel_map(std::min(at_once, now.size() - first), [&](std::size_t i) {
+          const Part& part = now[first + i];
+          Found one = is_left_out(i)
+                          ? Found{Verdict::undecided(interrupted() ? "interrupted"
+                                                                   : "more parts than were to be looked at")}
+                          : look(part);
+          if (part.whole && one.existence.truth != Truth::proved) {
+            one.existence = Verdict::proved();
+            one.motions = *part.whole;
+            one.middle.reset();  // it is not known to be one of those
+          }
+          return one;
+        });
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          const Part& part = now[first + i];
+          looked_at += found[i].looked ? 1 : 0;
+          const bool exists = found[i].existence.truth == Truth::proved;
+          const bool is_done = exists && (is_decided(found[i].motions.state) || !effort_.with_state);
+          width_ = is_done && part.volume() > volume_of(width_) ? part.half : width_;
+          const auto datum = is_left_out(i) || is_done ? std::nullopt : to_halve(part, found[i]);
+          if (found[i].looked) {
+            tried_[part.halvings].add(is_done, datum);
+          }
+          if (!datum) {
+            done.push_back({part, found[i]});
+            continue;
+          }
+          halve(part, *datum, found[i], next);
         }
-        halve(now[i], *datum, found[i], next);
       }
       now = next;
+      // Where not all can be looked at those are that have the shortest way to a given motion.
+      std::ranges::stable_sort(now, {}, [&](const Part& part) { return distance(part); });
     }
     return joined(done);
   }
@@ -282,6 +296,20 @@ class Search {
       part.half[k] = abs(Rational(high[k] - low[k])) / 2;
     }
     return part;
+  }
+
+  // From the nearest of the given motions, in parts of the box.
+  [[nodiscard]] double distance(const Part& part) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < given_; ++i) {
+      double most = 0;
+      for (std::size_t k = 0; k < part.middle.size(); ++k) {
+        const Rational away = abs(Rational(part.middle[k] - known_[i].s[k])) / whole_.half[k];
+        most = std::max(most, away.get_d());
+      }
+      least = std::min(least, most);
+    }
+    return least;
   }
 
   // Each datum, or where that does not do its inverse.
@@ -341,7 +369,30 @@ class Search {
     return between ? reach(half, *between, to, halvings - 1) : std::nullopt;
   }
 
+  // Parts of one shape, which is given by how often it was halved.
+  struct Tried {
+    int failed = 0;
+    bool passed = false;
+    std::size_t datum = 0;  // with which most changes
+
+    void add(bool passes, std::optional<std::size_t> to_halve) {
+      passed = passed || passes;
+      failed += passes ? 0 : 1;
+      datum = to_halve.value_or(datum);
+    }
+  };
+  // Those that failed next to the given motions, if none passed.
+  [[nodiscard]] const Tried * failed(const Part& part) const {
+    constexpr int enough = 4;
+    const auto found = tried_.find(part.halvings);
+    return found != tried_.end() && !found->second.passed && found->second.failed >= enough ? &found->second
+                                                                                            : nullptr;
+  }
+
   [[nodiscard]] bool is_too_wide(const Part& part) const {
+    if (failed(part) != nullptr) {
+      return true;
+    }
     for (std::size_t k = 0; k < width_.size(); ++k) {
       if (part.half[k] > width_[k] * Rational(most_growth)) {
         return true;
@@ -392,6 +443,10 @@ class Search {
 
   // The datum with which most changes, of those that may still be halved.
   [[nodiscard]] std::optional<std::size_t> to_halve(const Part& part, const Found& found) const {
+    const Tried * const same = found.looked ? nullptr : failed(part);
+    if (same != nullptr && part.halvings[same->datum] < effort_.most_halvings) {
+      return same->datum;
+    }
     std::optional<std::size_t> best;
     double most = 0;
     for (std::size_t k = 0; k < part.half.size(); ++k) {
@@ -482,6 +537,7 @@ class Search {
   std::vector<Known> known_;  // s being coordinates of the box
   std::size_t given_ = 0;
   Values width_;  // half of that of the largest part that was proved
+  std::map<std::vector<int>, Tried> tried_;
 };
 
 }  // namespace

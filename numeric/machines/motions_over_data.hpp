@@ -56,7 +56,7 @@ struct PartOfBox {
 
 struct Effort {
   int most_halvings;  // of one datum
-  long most_parts;    // that are looked at
+  long most_parts;    // that are looked at, of equal ones those next to the given motions first
   bool with_state = true;
 };
 
