@@ -262,6 +262,14 @@ Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Paper& 
 
 }  // namespace
 
+Asked<words::WordQuestion> asked_box(const BranchOptions& o, const Paper& paper) {
+  ParameterFile file = read_parameters(o, FrictionAtRest::needed);
+  leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
+  Units units = units_of(o.si, file, false);
+  words::WordQuestion asked = machine(paper, file, OrbitsOptions::default_digits);
+  return {std::move(file), std::move(units), std::move(asked)};
+}
+
 Asked<BranchQuestion> asked_branch(const BranchOptions& o, const Paper& paper) {
   return words::looks_like_word(o.family) ? asked_branch_of_word(o, paper) : asked_branch_of_family(o, paper);
 }

@@ -42,6 +42,9 @@ template <class Options>
 // machine in SI units the question has the machine, and all is in SI units.
 [[nodiscard]] Asked<numeric::branches::BranchQuestion> asked_branch(const BranchOptions& options,
                                                                     const proofs::methods::Paper& paper);
+// The machine in the middle of a box, of which several data vary.
+[[nodiscard]] Asked<numeric::words::WordQuestion> asked_box(const BranchOptions& options,
+                                                            const proofs::methods::Paper& paper);
 
 // Whether the options of --along and --plane go together, and with neither of them; what these ask by
 // default. Throw UsageError.

@@ -42,8 +42,20 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
         "--without-gaps is for words of a machine in tables: branches of the paper's oscillator have no "
         "gaps");
   }
+  if (o.along.size() > 1) {
+    if (!words::looks_like_word(o.family)) {
+      throw UsageError(
+          "several --along are for a word of phases such as OTS; of a family stickslip atlas maps a box");
+    }
+    const auto asked = asked_box(o, paper);
+    BranchOptions rest = o;
+    rest.example.clear();
+    rest.parameters.clear();
+    rest.si = false;
+    return run_box(as_tables(asked.question, asked.file, asked.units, "a box of data"), rest);
+  }
   if (o.parts) {
-    throw UsageError("--parts is for several --along, of a machine in tables");
+    throw UsageError("--parts is for several --along");
   }
   const Jobs limit = jobs(o.jobs);
   require_outputs(o);

@@ -26,6 +26,7 @@ namespace stickslip::cli {
 // With --plane; with --set.
 struct GivenInTables;
 [[nodiscard]] ExitCode run_plane(const GivenInTables& given, const AttractorsOptions& options);
+[[nodiscard]] ExitCode run_box(const GivenInTables& given, const BranchOptions& options);
 [[nodiscard]] ExitCode run_set(const GivenInTables& given, const SimulateOptions& options);
 // Of `attractors` with --along or --plane.
 [[nodiscard]] ExitCode run_diagram(const AttractorsOptions& options, const proofs::methods::Paper& paper);

@@ -108,15 +108,13 @@ AlongPath along_path(const GivenInTables& given, const Ranges& along) {
   }
   const auto& [path, range] = along.front();
   const auto [from, to] = interval(path, range);
-  return {path, from, to, [given, path](const Rational& value) {
-            return machine_in_tables(given.text, given.file, {{path, value}})->machine;
-          }};
+  return {path, from, to, [with = given.with, path](const Rational& value) { return with({{path, value}}); }};
 }
 
 // Where motions are looked for: at what the file says, or in the middle where that is not in the interval.
 Rational start_in(const GivenInTables& given, const std::string& path, const Rational& from,
                   const Rational& to) {
-  const Rational in_file = value_in_tables(given.text, given.file, path);
+  const Rational in_file = given.value(path);
   return from <= in_file && in_file <= to ? in_file : Rational((from + to) / 2);
 }
 
@@ -166,17 +164,53 @@ GivenInTables as_tables(const numeric::words::WordQuestion& machine, const Param
                       "result: give --state",
                       why, file.name));
     }
-    return {
-        file.name, "", {machine_of(file.machine->machine), true}, "--params " + file.name + " --units si"};
+    const auto value = [all = file.in_SI](const std::string& name) {
+      const auto found = all.find(name);
+      if (found == all.end() || name == "load_phase") {
+        throw UsageError(fmt::format("along: {} is no value of the machine that can vary", name));
+      }
+      return exact_number(name, found->second);
+    };
+    const auto with = [value, all = file.in_SI, name = file.name](const std::vector<Datum>& data) {
+      TypedParameters there = all;
+      for (const Datum& datum : data) {
+        (void)value(datum.path);
+        there[datum.path] = to_string(datum.value);
+      }
+      return machine_of(machine_in_SI(there, name, FrictionAtRest::needed));
+    };
+    return {file.name,
+            {machine_of(file.machine->machine), true},
+            "--params " + file.name + " --units si",
+            with,
+            value};
   }
   std::string options;
   for (const auto& [name, member] : model::named_data<Rational>) {
     options += fmt::format("--{} {} ", name, to_string(machine.data.*member));
   }
-  return {"the paper's oscillator",
-          "",
-          {Machine{model::friction_oscillator<Rational>(machine.data, machine.ur)}, false},
-          options + "--ur " + to_string(machine.ur)};
+  const auto place = [](model::Parameters<Rational>& data, Rational& ur, const std::string& name) {
+    const auto& named = model::named_data<Rational>;
+    const auto * const member =
+        std::ranges::find_if(named, [&](const auto& one) { return one.first == name; });
+    if (name != "ur" && member == named.end()) {
+      throw UsageError(fmt::format("along: {} is none of chi, eta, us, V, omega, p, ur", name));
+    }
+    return name == "ur" ? &ur : &(data.*(member->second));
+  };
+  const auto with = [place, machine](const std::vector<Datum>& data) {
+    auto there = machine;
+    for (const Datum& datum : data) {
+      *place(there.data, there.ur, datum.path) = datum.value;
+    }
+    return Machine{model::friction_oscillator<Rational>(there.data, there.ur)};
+  };
+  const auto value = [place, machine](const std::string& name) {
+    auto there = machine;
+    return *place(there.data, there.ur, name);
+  };
+  return {
+      "the paper's oscillator", {with({}), false}, options + "--ur " + to_string(machine.ur), with, value};
 }
 
 std::optional<GivenInTables> given_in_tables(const GivenMachine& options) {
@@ -185,8 +219,17 @@ std::optional<GivenInTables> given_in_tables(const GivenMachine& options) {
   }
   const std::string text = report::tools::read_file(options.file.name);
   const auto read = machine_in_tables(text, options.file.name);
-  return read ? std::optional(GivenInTables{.file = options.file.name, .text = text, .read = *read})
-              : std::nullopt;
+  if (!read) {
+    return std::nullopt;
+  }
+  GivenInTables given{options.file.name, *read};
+  given.with = [text, file = given.file](const std::vector<Datum>& data) {
+    return machine_in_tables(text, file, data)->machine;
+  };
+  given.value = [text, file = given.file](const std::string& path) {
+    return value_in_tables(text, file, path);
+  };
+  return given;
 }
 
 namespace {
@@ -215,7 +258,7 @@ report::machines::Diagram diagram_answer(const GivenInTables& given, const Attra
   MachineDiagram diagram;
   diagram.question = starts_of(given, o, AttractorsOptions::default_starts_at_value);
   const auto [path, from, to, at] = along_path(given, o.along);
-  (void)value_in_tables(given.text, given.file, path);
+  (void)given.value(path);
   diagram.at = at;
   diagram.from = from;
   diagram.to = to;
@@ -355,7 +398,7 @@ report::machines::OverBox box_answer(const GivenInTables& given, const BranchOpt
     for (std::size_t k = 0; k < values.size(); ++k) {
       data.push_back({result.data[k].path, values[k]});
     }
-    return machine_in_tables(given.text, given.file, data)->machine;
+    return given.with(data);
   };
   refuse_others(o, given.file, false, {"--at"});
   result.orbit = o.orbit;

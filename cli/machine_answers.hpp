@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/arguments.hpp"
 #include "cli/machine_file.hpp"
@@ -15,15 +16,20 @@
 
 namespace stickslip::cli {
 
-// A machine and the text that it was read from.
+using numeric::machines::Machine;
+
+// A machine, and its numbers by their paths.
 struct GivenInTables {
-  std::string file, text;
+  std::string file;
   MachineInTables read;
   std::string options = "--params " + file;  // that give it to a command
+  // With other numbers; what is given there. Throw UsageError for a path that no number that can vary has.
+  std::function<Machine(const std::vector<Datum>&)> with = {};
+  std::function<Rational(const std::string&)> value = {};
 };
 
-// The paper's oscillator as one. A machine in SI units is one in these, where `why`, an option, is asked for
-// in them: else UsageError.
+// The paper's oscillator as one, its data under their names. A machine in SI units is one in these, where
+// `why`, an option, is asked for in them: else UsageError.
 [[nodiscard]] GivenInTables as_tables(const numeric::words::WordQuestion& machine, const ParameterFile& file,
                                       const report::orbits::Units& units, const char * why);
 // Nothing if no file is given, or the file is none of these.

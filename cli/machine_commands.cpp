@@ -77,6 +77,10 @@ ExitCode run_plane(const GivenInTables& given, const AttractorsOptions& o) {
   return told(given, o, "following the starts ...", basins_answer);
 }
 
+ExitCode run_box(const GivenInTables& given, const BranchOptions& o) {
+  return told(given, o, "proving parts of the box ...", box_answer);
+}
+
 ExitCode run_set(const GivenInTables& given, const SimulateOptions& o) {
   const report::machines::SetMotion result = [&] {
     const Interruptible scope;
@@ -112,7 +116,7 @@ std::optional<ExitCode> run_in_tables(const BranchOptions& o) {
     return steady(*given, o);
   }
   if (given && o.along.size() > 1) {
-    return told(*given, o, "proving parts of the box ...", box_answer);
+    return run_box(*given, o);
   }
   return given ? std::optional(told(*given, o, "following branches ...", answered)) : std::nullopt;
 }

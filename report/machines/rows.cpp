@@ -9,6 +9,7 @@
 
 #include "core/decimal.hpp"
 #include "numeric/words/word.hpp"
+#include "report/orbits/machine.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"
@@ -268,8 +269,9 @@ std::string command_of(const Attractors& result) {
 
 namespace {
 
-std::string of_word(const MachineWord& q, const std::string& file) {
-  return q.word.letters() + " --params " + file + (q.periods ? fmt::format(" --period {}", *q.periods) : "") +
+std::string of_word(const MachineWord& q, const Origin& origin) {
+  return q.word.letters() + " " + origin.options +
+         (q.periods ? fmt::format(" --period {}", *q.periods) : "") +
          (q.near ? " --near=" + orbits::comma_separated(*q.near) : "");
 }
 
@@ -278,13 +280,13 @@ std::string of_word(const MachineWord& q, const std::string& file) {
 std::string command_of(const WordOrbits& result) {
   const bool with_neighbourhoods = std::ranges::any_of(
       result.list.orbits, [](const auto& orbit) { return orbit.neighbourhood != nullptr; });
-  return fmt::format("stickslip orbits {} --digits {}{}", of_word(result.list.question, result.origin.file),
+  return fmt::format("stickslip orbits {} --digits {}{}", of_word(result.list.question, result.origin),
                      result.list.question.digits, with_neighbourhoods ? " --neighbourhood" : "");
 }
 
 std::string command_of(const Branches& result) {
   return fmt::format(
-      "stickslip branch {} --along {} {}..{} --at {}{}{}", of_word(result.question, result.origin.file),
+      "stickslip branch {} --along {} {}..{} --at {}{}{}", of_word(result.question, result.origin),
       result.parameter, to_string(result.from), to_string(result.to), to_string(result.start),
       result.orbit ? fmt::format(" --orbit {}", *result.orbit) : "",
       std::string(result.all ? " --all" : "") + (result.without_gaps ? " --without-gaps" : ""));
@@ -295,8 +297,8 @@ std::string command_of(const OverBox& result) {
   for (const auto& [path, from, to, start] : result.data) {
     along += fmt::format(" --along {} {}..{}", path, to_string(from), to_string(to));
   }
-  return fmt::format("stickslip branch {}{}{}{} --parts {}", of_word(result.question, result.origin.file),
-                     along, result.orbit ? fmt::format(" --orbit {}", *result.orbit) : "",
+  return fmt::format("stickslip branch {}{}{}{} --parts {}", of_word(result.question, result.origin), along,
+                     result.orbit ? fmt::format(" --orbit {}", *result.orbit) : "",
                      result.all ? " --all" : "", result.most_parts);
 }
 
@@ -497,7 +499,8 @@ std::string parameter_of(const std::string& path, const Origin& origin) {
                       : last == "viscous"                          ? "N s/m"
                       : path.find("sliding.") != std::string::npos ? (last == "1" ? "m/s" : "N")
                                                                    : "N";
-  return origin.in_SI ? path + " in " + unit : path;
+  const std::string known = orbits::in_unit_of(path);
+  return !origin.in_SI ? path : known.empty() ? path + " in " + unit : path + known;
 }
 
 namespace {

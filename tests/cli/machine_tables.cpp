@@ -693,6 +693,42 @@ TEST_CASE("a family's stable orbits have neighbourhoods, of the machine whose ur
   CHECK(text.out.find("of the machine with ur = 0.458") != std::string::npos);
 }
 
+TEST_CASE(
+    "motions of the paper's oscillator are proved over a box of its data, or of its values in SI units") {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "flat.toml";
+  std::ofstream(file)
+      << "m1 = 4\nm2 = 1\nk1 = 1000\nk2 = 600\nfriction_force_sliding = 6\n"
+         "friction_force_at_rest = 10\nbelt_velocity = 0.2\nload_amplitude = 20\nload_frequency = 4\n";
+  const Words in_SI{
+      "branch",  "OS", "--params", file, "--along", "m1", "3.9..4.1", "--along", "friction_force_sliding",
+      "5.8..6.2"};
+  const Run flat = stickslip_program(with(in_SI, {"--units", "si", "--json"}));
+  CHECK(flat.code == exit_decided);
+  const Json box = Json::parse(flat.out);
+  CHECK(box.at("data").at(1).at("path") == "friction_force_sliding");
+  CHECK(box.at("machine").at("units") == "SI");
+  for (const Json& part : box.at("motions").at(0).at("parts")) {
+    CHECK(part.at("state") == "stable");
+  }
+  const Words of_O{"branch",         "OTS",     "--example", "O",           "--along", "us",
+                   "0.0499..0.0501", "--along", "V",         "0.999..1.001"};
+  const Run O = stickslip_program(of_O);
+  CHECK(O.code == exit_decided);
+  CHECK(O.out.find("motions   1 at us = 0.05, V = 1\n") != std::string::npos);
+  CHECK(O.out.find("Motion 1: proved, stable, |mu| = 0.9148") != std::string::npos);
+  const Json again = Json::parse(stickslip_program(with(of_O, {"--json"})).out);
+  CHECK(again.at("command").get<std::string>().find("--along us 0.0499..0.0501") != std::string::npos);
+  check_refused(
+      {{in_SI, exit_usage, "in these: add --units si"},
+       {{"branch", "OTS", "--example", "O", "--along", "us", "0.04..0.05", "--along", "phi", "0..1"},
+        exit_usage,
+        "phi is none of chi, eta, us, V, omega, p, ur"},
+       {{"branch", "symmetric", "--example", "S", "--along", "us", "0.04..0.05", "--along", "V", "0.9..1"},
+        exit_usage,
+        "several --along are for a word of phases such as OTS"}});
+}
+
 TEST_CASE("what does not go with a machine in tables is refused in a sentence") {
   const TemporaryDirectory directory;
   const std::string file = directory / "machine.toml";
