@@ -41,25 +41,33 @@ BENCHMARK_CAPTURE(prove_machine, five, machine_named("five"), begins_at("five"))
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 
-// 1e-5 of the belt's velocity, proved at all values.
-void joint(benchmark::State& state, const Machine& machine, const Eigen::VectorXd& from) {
-  const auto at = [&](const Rational& velocity) {
+// 1 % of the belt's velocity and of the friction at rest, proved with the state at all of these data: a part.
+void box(benchmark::State& state, const Machine& machine, const Eigen::VectorXd& from) {
+  const auto at = [&](const Values& data) {
     Machine other = machine;
-    other.oscillator.V = velocity;
+    other.oscillator.V = data[0];
+    other.oscillator.forward.at_rest = other.oscillator.backward.at_rest = data[1];
     return other;
   };
-  const auto motion = [&, guess = settle(machine, from).guess](const Rational& velocity) {
-    return MotionAt{{velocity}, guess_of(prove_machine_orbit(at(velocity), guess), at(velocity))};
-  };
-  const Rational& V = machine.oscillator.V;
-  const MotionAt a = motion(V), b = motion(Rational(V + V / 100000));
-  Joint found;
-  for (auto _ : state) {
-    found = joints_between(at, {a, b}, numeric::branches::State::stable).front();
+  const Values middle{machine.oscillator.V, machine.oscillator.forward.at_rest};
+  DataBox data{at, middle, middle};
+  for (std::size_t k = 0; k < middle.size(); ++k) {
+    data.low[k] -= middle[k] / 200;
+    data.high[k] += middle[k] / 200;
   }
-  require_proved(state, found.state);
+  const std::vector<MotionAt> motions{{middle, settle(machine, from).guess}};
+  std::int64_t parts = 0;
+  for (auto _ : state) {
+    const std::vector<PartOfBox> found =
+        motions_over(data, motions, {.most_halvings = 12, .most_parts = 1000});
+    parts += static_cast<std::int64_t>(found.size());
+    for (const PartOfBox& part : found) {
+      require_proved(state, part.existence);
+    }
+  }
+  state.SetItemsProcessed(parts);
 }
-BENCHMARK_CAPTURE(joint, two, machine_named("two"), begins_at("two"))
+BENCHMARK_CAPTURE(box, two, machine_named("two"), begins_at("two"))
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 

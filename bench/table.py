@@ -131,6 +131,8 @@ def targets(r):
                                    ("attractors.machine", "the same as a machine", "machine_attractors/S", 3.5),
                                    ("attractors.five", "500 starts, 2,000 periods each, five masses", "machine_attractors/five", 15)):
         out += [at_most(key, what, x["seconds"], limit) for n, x in b.items() if n.startswith(name)]
+    out += [at_most("box", "a part of a box of two data, two masses, three phases, all decided", 1 / x["items_per_second"], 0.2)
+            for n, x in b.items() if n.startswith("box/two")]
     rate = sum(x["items_per_second"] for n, x in b.items() if n.startswith("attractors_of")) / 3
     out.append(at_least("periods", "periods of a machine, all proofs included, mean of S, O, P, one core", rate, 2.5e5, per_second))
     lists = r["completeness"].values()
