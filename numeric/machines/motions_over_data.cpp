@@ -11,6 +11,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 
 #include "core/decimal.hpp"
@@ -147,6 +148,7 @@ struct Part {
   std::vector<std::size_t> known = {};  // places of the closed chains that are known in it
   std::size_t near = 0;                 // and of one that may lie beside it
   std::optional<Judged> whole = {};     // of one that it is half of, if they exist there
+  double away = 0;                      // from a given motion
 
   [[nodiscard]] Rational volume() const { return volume_of(half); }
   // s in it.
@@ -216,51 +218,18 @@ class Search {
     if (const Verdict found = find_width(); found.truth != Truth::proved) {
       return {{box_.low, box_.high, found, {}}};
     }
-    std::vector<Done> done;
-    long looked_at = 0;
-    std::vector<Part> now{whole_}, next;
+    std::vector<Part> now{whole_};
     while (!now.empty()) {
-      next.clear();
-      for (std::size_t first = 0; first < now.size(); first += at_once) {
-        const auto is_left_out = [&, left = effort_.most_parts - looked_at](std::size_t i) {
-          return interrupted() || static_cast<long>(first + i) >= effort_.most_parts ||
-                 static_cast<long>(i) >= left;
-        };
-        const auto found = parallel_map(std::min(at_once, now.size() - first), [&](std::size_t i) {
-          const Part& part = now[first + i];
-          Found one = is_left_out(i)
-                          ? Found{Verdict::undecided(interrupted() ? "interrupted"
-                                                                   : "more parts than were to be looked at")}
-                          : look(part);
-          if (part.whole && one.existence.truth != Truth::proved) {
-            one.existence = Verdict::proved();
-            one.motions = *part.whole;
-            one.middle.reset();  // it is not known to be one of those
-          }
-          return one;
-        });
-        for (std::size_t i = 0; i < found.size(); ++i) {
-          const Part& part = now[first + i];
-          looked_at += found[i].looked ? 1 : 0;
-          const bool exists = found[i].existence.truth == Truth::proved;
-          const bool is_done = exists && (is_decided(found[i].motions.state) || !effort_.with_state);
-          width_ = is_done && part.volume() > volume_of(width_) ? part.half : width_;
-          const auto datum = is_left_out(i) || is_done ? std::nullopt : to_halve(part, found[i]);
-          if (found[i].looked) {
-            tried_[part.halvings].add(is_done, datum);
-          }
-          if (!datum) {
-            done.push_back({part, found[i]});
-            continue;
-          }
-          halve(part, *datum, found[i], next);
-        }
-      }
-      now = next;
       // Where not all can be looked at those are that have the shortest way to a given motion.
-      std::ranges::stable_sort(now, {}, [&](const Part& part) { return distance(part); });
+      std::ranges::stable_sort(now, {}, &Part::away);
+      std::vector<Part> halves;
+      for (std::size_t first = 0; first < now.size(); first += at_once) {
+        const long left = effort_.most_parts - std::max(looked_at_, static_cast<long>(first));
+        look_at(std::span(now).subspan(first, std::min(at_once, now.size() - first)), left, halves);
+      }
+      now = halves;
     }
-    return joined(done);
+    return joined();
   }
 
  private:
@@ -296,6 +265,37 @@ class Search {
       part.half[k] = abs(Rational(high[k] - low[k])) / 2;
     }
     return part;
+  }
+
+  // At so many of the parts; those that are not done are halved.
+  void look_at(std::span<const Part> parts, long most, std::vector<Part>& halves) {
+    const auto is_left_out = [&](std::size_t i) { return interrupted() || static_cast<long>(i) >= most; };
+    const auto all = parallel_map(parts.size(), [&](std::size_t i) {
+      const char * const why = interrupted() ? "interrupted" : "more parts than were to be looked at";
+      Found found = is_left_out(i) ? Found{Verdict::undecided(why)} : look(parts[i]);
+      if (parts[i].whole && found.existence.truth != Truth::proved) {
+        found.existence = Verdict::proved();
+        found.motions = *parts[i].whole;
+        found.middle.reset();  // it is not known to be one of those
+      }
+      return found;
+    });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Part& part = parts[i];
+      const bool exists = all[i].existence.truth == Truth::proved;
+      const bool is_done = exists && (is_decided(all[i].motions.state) || !effort_.with_state);
+      const auto datum = is_left_out(i) || is_done ? std::nullopt : to_halve(part, all[i]);
+      if (all[i].looked) {
+        ++looked_at_;
+        tried_[part.halvings].add(is_done, datum);
+      }
+      width_ = is_done && part.volume() > volume_of(width_) ? part.half : width_;
+      if (datum) {
+        halve(part, *datum, all[i], halves);
+      } else {
+        done_.push_back({part, all[i]});
+      }
+    }
   }
 
   // From the nearest of the given motions, in parts of the box.
@@ -409,12 +409,13 @@ class Search {
     if (!middle) {
       return open("Newton's method leads to no closed motion from there");
     }
-    Found found = open("not looked at");
+    Found found = open("no polynomial goes near the closed motions");
     found.middle = prove_chain(question_at(part.middle), *middle, bits, 8 * bits);
     if (found.middle->verdict.truth != Truth::proved) {
       return open(found.middle->verdict.reason);
     }
     if (is_too_wide(part)) {
+      found.existence = Verdict::undecided("wider than what is proved near it");
       found.looked = false;
       return found;
     }
@@ -468,6 +469,7 @@ class Search {
       known_.push_back({part.middle, *found.middle});
     }
     for (Part * half : {&low, &high}) {
+      half->away = distance(*half);
       half->whole = found.existence.truth == Truth::proved ? std::optional(found.motions) : std::nullopt;
       std::erase_if(half->known, [&](std::size_t i) { return !half->contains(known_[i].s); });
       if (found.middle) {
@@ -480,9 +482,9 @@ class Search {
 
   // Parts of one family have a way from one to the other through closed chains that are known in both of two
   // on it; those that have none to a given motion are undecided.
-  [[nodiscard]] std::vector<PartOfBox> joined(const std::vector<Done>& all) const {
+  [[nodiscard]] std::vector<PartOfBox> joined() const {
     constexpr auto none = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> of_known(known_.size(), none), of_part(all.size(), none);
+    std::vector<std::size_t> of_known(known_.size(), none), of_part(done_.size(), none);
     for (std::size_t family = 0; family < given_; ++family) {
       if (of_known[family] != none) {
         continue;
@@ -490,11 +492,11 @@ class Search {
       of_known[family] = family;
       for (bool more = true; more;) {
         more = false;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-          const std::vector<std::size_t>& known = all[i].part.known;
+        for (std::size_t i = 0; i < done_.size(); ++i) {
+          const std::vector<std::size_t>& known = done_[i].part.known;
           const bool is_of_it =
               std::ranges::any_of(known, [&](std::size_t k) { return of_known[k] == family; });
-          if (of_part[i] != none || all[i].found.existence.truth != Truth::proved || !is_of_it) {
+          if (of_part[i] != none || done_[i].found.existence.truth != Truth::proved || !is_of_it) {
             continue;
           }
           more = true;
@@ -506,8 +508,8 @@ class Search {
       }
     }
     std::vector<PartOfBox> parts;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto& [part, found] = all[i];
+    for (std::size_t i = 0; i < done_.size(); ++i) {
+      const auto& [part, found] = done_[i];
       Values low = part.middle, high = part.middle;
       for (std::size_t k = 0; k < low.size(); ++k) {
         low[k] -= part.half[k];
@@ -538,6 +540,8 @@ class Search {
   std::size_t given_ = 0;
   Values width_;  // half of that of the largest part that was proved
   std::map<std::vector<int>, Tried> tried_;
+  std::vector<Done> done_;
+  long looked_at_ = 0;
 };
 
 }  // namespace
