@@ -88,13 +88,6 @@ MachineWord question_for(const GivenInTables& given, const std::string& text, co
   return q;
 }
 
-void require_ranges(const GivenInTables& given, const Ranges& along) {
-  if (along.empty()) {
-    throw UsageError(fmt::format(
-        "what varies is missing: --along PATH A..B, PATH such as belt.velocity in {}", given.file));
-  }
-}
-
 struct AlongPath {
   std::string path;
   Rational from, to;
@@ -102,7 +95,10 @@ struct AlongPath {
 };
 
 AlongPath along_path(const GivenInTables& given, const Ranges& along) {
-  require_ranges(given, along);
+  if (along.empty()) {
+    throw UsageError(fmt::format(
+        "what varies is missing: --along PATH A..B, PATH such as belt.velocity in {}", given.file));
+  }
   if (along.size() > 1) {
     throw UsageError(fmt::format("--along is for one number here, not for {} of them", along.size()));
   }
@@ -400,7 +396,10 @@ report::machines::OverBox box_answer(const GivenInTables& given, const BranchOpt
     }
     return given.with(data);
   };
-  refuse_others(o, given.file, false, {"--at"});
+  refuse_others(o, given.file, false, {});
+  if (o.at) {
+    throw UsageError("--at is for one --along: of several the orbits are looked for at what is given");
+  }
   result.orbit = o.orbit;
   result.all = o.all;
   result.most_parts = o.parts.value_or(BranchOptions::default_parts);

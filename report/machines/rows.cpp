@@ -393,7 +393,8 @@ struct KindOfPart {
   long parts = 0;
   Values low, high;  // of all of them
 
-  void add(const PartOfBox& part) {
+  // Returns its volume.
+  Rational add(const PartOfBox& part) {
     Rational its = 1;
     for (std::size_t k = 0; k < part.low.size(); ++k) {
       its *= part.high[k] - part.low[k];
@@ -407,6 +408,7 @@ struct KindOfPart {
       low[k] = std::min(low[k], part.low[k]);
       high[k] = std::max(high[k], part.high[k]);
     }
+    return its;
   }
 };
 
@@ -423,25 +425,23 @@ std::string in_words(const PartOfBox& part) {
   const auto& [state, names] = part.motions;
   return state == branches::State::undecided ? "there, but what they are is undecided: " + names
          : names.empty()                     ? to_string(state)
-         : is_decided(state)                 ? fmt::format("{}: {} is violated", to_string(state), names)
+         : is_decided(state)                 ? fmt::format("{}: {} {} violated", to_string(state), names,
+                                           names.find(',') == std::string::npos ? "is" : "are")
                                              : fmt::format("{}, {} undecided", to_string(state), names);
 }
 
 }  // namespace
 
 BoxRows rows_of(const OverBox& result, const OverBox::Family& family) {
-  Rational whole = 1, exists = 0, decided = 0;
+  Rational whole = 0, exists = 0, decided = 0;
   std::map<std::string, KindOfPart> kinds;
-  KindOfPart all;
   for (const PartOfBox& part : family.parts) {
-    kinds[in_words(part)].add(part);
-    const Rational before = all.volume;
-    all.add(part);
-    const Rational its = all.volume - before;
-    exists += part.existence.truth == Truth::proved ? its : Rational(0);
-    decided += part.existence.truth == Truth::proved && is_decided(part.motions.state) ? its : Rational(0);
+    const Rational its = kinds[in_words(part)].add(part);
+    const bool is_there = part.existence.truth == Truth::proved;
+    whole += its;
+    exists += is_there ? its : Rational(0);
+    decided += is_there && is_decided(part.motions.state) ? its : Rational(0);
   }
-  whole = all.volume;
   BoxRows rows{
       exists == 0
           ? "Nothing is proved of this box."

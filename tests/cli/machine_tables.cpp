@@ -775,7 +775,7 @@ TEST_CASE("what does not go with a machine in tables is refused in a sentence") 
        {{"branch", "OTS", "--along", "belt.velocity", "0.04..0.05", "--along", "spring.1.c", "0.5..0.6",
          "--at", "0.05"},
         exit_usage,
-        "--at does not go with"},
+        "--at is for one --along"},
        {{"branch", "OTS", "--along", "belt.velocity", "0.04..0.05", "--parts", "9"},
         exit_usage,
         "--parts is for several --along"},
