@@ -16,15 +16,13 @@
 
 namespace stickslip::cli {
 
-using numeric::machines::Machine;
-
 // A machine, and its numbers by their paths.
 struct GivenInTables {
   std::string file;
   MachineInTables read;
   std::string options = "--params " + file;  // that give it to a command
   // With other numbers; what is given there. Throw UsageError for a path that no number that can vary has.
-  std::function<Machine(const std::vector<Datum>&)> with = {};
+  std::function<numeric::machines::Machine(const std::vector<Datum>&)> with = {};
   std::function<Rational(const std::string&)> value = {};
 };
 

@@ -50,7 +50,7 @@ class Reader {
       for (const Place * other = places_.data(); other != &place; ++other) {
         if (other->node == place.node || (is_frequency(*other) && is_frequency(place))) {
           throw UsageError(
-              fmt::format("{}: {} and {} are one number: it varies once", file_, other->path, place.path));
+              fmt::format("{}: {} and {} vary together: give one of them", file_, other->path, place.path));
         }
       }
     }

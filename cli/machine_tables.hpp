@@ -49,9 +49,9 @@ struct Datum {
   Rational value;  // that takes the place of the file's
 };
 
-// Nothing where it has none. Throws UsageError, with the file and the line, for what is no
-// TOML, missing, unknown, of the wrong kind or no number, for a path that no number that can vary has, and
-// for two that lead to one; DomainError as numeric::machines::require_machine.
+// Nothing where it has none. Throws UsageError, with the file and the line, for what is no TOML, missing,
+// unknown, of the wrong kind or no number, for a path that no number that can vary has, and for two that lead
+// to one or vary together; DomainError as numeric::machines::require_machine.
 [[nodiscard]] std::optional<MachineInTables> machine_in_tables(const std::string& text,
                                                                const std::string& file,
                                                                const std::vector<Datum>& data = {});

@@ -53,6 +53,11 @@ namespace {
 constexpr long bits = 64;
 // Of the way between two motions, for Newton's method.
 constexpr int most_halvings_of_way = 6;
+// How much wider than the last part that was proved one may be to be looked at.
+constexpr double most_growth = 2.5;
+// Parts that are looked at before what comes of them counts for others.
+constexpr std::size_t at_once = 16;
+
 // "stick.upper, slip": of conditions that are so, each name once.
 std::string names_of(const std::vector<Condition>& conditions, Truth truth) {
   std::set<std::string> names;
@@ -72,11 +77,6 @@ Judged judged(const MachineOrbit& orbit) {
                  : !holds ? names_of(orbit.conditions, Truth::undecided)
                                    : "stability"};
 }
-
-// How much wider than the last part that was proved one may be to be looked at.
-constexpr double most_growth = 2.5;
-// Parts that are looked at before what comes of them counts for others.
-constexpr std::size_t at_once = 16;
 
 std::vector<Rational> numbers_of(const model::FrictionOscillator<Rational>& o) {
   std::vector<Rational> numbers;
