@@ -141,13 +141,19 @@ Rational volume_of(const Values& edges) {
   return volume;
 }
 
+// A part in which the motions exist, with the place of the closed chain in its middle, one of them.
+struct Whole {
+  Judged motions;
+  std::size_t middle = 0;
+};
+
 // A part of the box in coordinates in which the numbers are linear: the data, or their inverses.
 struct Part {
   Values middle, half;
   std::vector<int> halvings;
   std::vector<std::size_t> known = {};  // places of the closed chains that are known in it
   std::size_t near = 0;                 // and of one that may lie beside it
-  std::optional<Judged> whole = {};     // of one that it is half of, if they exist there
+  std::optional<Whole> whole = {};      // of which it is a part
   double away = 0;                      // from a given motion
 
   [[nodiscard]] Rational volume() const { return volume_of(half); }
@@ -237,6 +243,7 @@ class Search {
     Verdict existence;
     Judged motions = {};
     bool looked = false;
+    bool is_of_whole = false;               // as they exist there
     std::optional<ChainProof> middle = {};  // the closed chain in the middle
     std::vector<double> changes = {};       // with each datum
   };
@@ -275,7 +282,8 @@ class Search {
       Found found = is_left_out(i) ? Found{Verdict::undecided(why)} : look(parts[i]);
       if (parts[i].whole && found.existence.truth != Truth::proved) {
         found.existence = Verdict::proved();
-        found.motions = *parts[i].whole;
+        found.motions = parts[i].whole->motions;
+        found.is_of_whole = true;
         found.middle.reset();  // it is not known to be one of those
       }
       return found;
@@ -470,7 +478,9 @@ class Search {
     }
     for (Part * half : {&low, &high}) {
       half->away = distance(*half);
-      half->whole = found.existence.truth == Truth::proved ? std::optional(found.motions) : std::nullopt;
+      if (found.existence.truth == Truth::proved && found.middle) {
+        half->whole = Whole{found.motions, known_.size() - 1};
+      }
       std::erase_if(half->known, [&](std::size_t i) { return !half->contains(known_[i].s); });
       if (found.middle) {
         half->near = known_.size() - 1;
@@ -493,7 +503,10 @@ class Search {
       for (bool more = true; more;) {
         more = false;
         for (std::size_t i = 0; i < done_.size(); ++i) {
-          const std::vector<std::size_t>& known = done_[i].part.known;
+          std::vector<std::size_t> known = done_[i].part.known;
+          if (done_[i].found.is_of_whole) {
+            known.push_back(done_[i].part.whole->middle);
+          }
           const bool is_of_it =
               std::ranges::any_of(known, [&](std::size_t k) { return of_known[k] == family; });
           if (of_part[i] != none || done_[i].found.existence.truth != Truth::proved || !is_of_it) {
