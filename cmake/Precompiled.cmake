@@ -45,14 +45,14 @@ function(stickslip_together target name)
   set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${name})
 endfunction()
 
-# stickslip_in_fours(TARGET SOURCES…): sources of one folder that follow each other are compiled together, by fours.
-function(stickslip_in_fours target)
+# stickslip_in_eights(TARGET SOURCES…): sources of one folder that follow each other are compiled together, by eights.
+function(stickslip_in_eights target)
   set(count 0)
   set(group 0)
   set(last "")
   foreach(source IN LISTS ARGN)
     cmake_path(GET source PARENT_PATH folder)
-    if(NOT "${folder}" STREQUAL "${last}" OR count EQUAL 4)
+    if(NOT "${folder}" STREQUAL "${last}" OR count EQUAL 8)
       math(EXPR group "${group} + 1")
       set(count 0)
     endif()

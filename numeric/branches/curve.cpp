@@ -19,7 +19,7 @@ namespace {
 constexpr double first_step = 0x1p-7;
 constexpr double longest_step = 0.5;
 constexpr double shortest_step = 0x1p-36;
-constexpr std::size_t most_cells = 3000;
+constexpr std::size_t most_cells_of_path = 3000;
 // The parameter drives unless its share of the tangent is below the first; then until it is above the second.
 constexpr double steep = 0.03;
 constexpr double not_steep = 0.1;
@@ -202,7 +202,7 @@ bool Walk::advance() {
     path_.reason = zeros::was_interrupted;
     return false;
   }
-  if (path_.cells.size() >= most_cells) {
+  if (path_.cells.size() >= most_cells_of_path) {
     path_.reason = "more cells are needed than are allowed";
     return false;
   }

@@ -83,7 +83,7 @@ State integrated(const Machine& machine, const State& X, double theta, double T)
   return w;
 }
 
-Vector balls(const State& X) {
+Vector in_balls(const State& X) {
   Vector v(static_cast<Eigen::Index>(X.size()));
   for (std::size_t i = 0; i < X.size(); ++i) {
     v(static_cast<Eigen::Index>(i)) = Ball(X[i]);
@@ -109,7 +109,7 @@ TEST_CASE("a smooth phase from a box encloses the motions from all of it, both w
     const Ball wide = Ball::hull(Ball(-width), Ball(width));
     for (const bool reversed : {false, true}) {
       const double T = reversed ? 0.7 : 1.1;
-      Vector box = balls(middle);
+      Vector box = in_balls(middle);
       for (Eigen::Index i = 0; i < 4; ++i) {
         box(i) += wide;
       }
@@ -154,7 +154,7 @@ TEST_CASE("with few bits a smooth phase is wide, and holds what many bits find")
     const auto at = [&](long bits) {
       const WorkingPrecision scope(bits);
       const LinearPhases phases(oscillator_as<Ball>(machine));
-      const SmoothPhase phase(phases, 1, phases.whole(balls({0.2, 0.5, -0.1, 0.3}), Ball(0.4)), Ball(1.5),
+      const SmoothPhase phase(phases, 1, phases.whole(in_balls({0.2, 0.5, -0.1, 0.3}), Ball(0.4)), Ball(1.5),
                               false, true);
       return std::pair(phase.end(), phase.derivative());
     };
@@ -185,7 +185,7 @@ TEST_CASE("the last coefficient of a step holds that of all motions on the step"
     };
     const WorkingPrecision scope(200);
     const LinearPhases phases(oscillator_as<Ball>(machine));
-    const Vector start = phases.whole(balls(X), Ball(0.4));
+    const Vector start = phases.whole(in_balls(X), Ball(0.4));
     const auto [steps, at_end] = follow(24, start, Ball(1.5));
     REQUIRE(steps.size() > 1);
     const SmoothPhase::Step& step = steps.front();
@@ -213,7 +213,8 @@ TEST_CASE("a course on a smooth law has the values and derivatives of the motion
   const LinearPhases phases(oscillator_as<Ball>(machine));
   const State X{0.2, 0.5, -0.1, 0.3};
   const Piece slip{motion::PhaseKind::slip, 0};
-  const Watched f(phases, slip, InData<Matrix>(Matrix(phases.whole(balls(X), Ball(0.4)))), Ball(2.0), false);
+  const Watched f(phases, slip, InData<Matrix>(Matrix(phases.whole(in_balls(X), Ball(0.4)))), Ball(2.0),
+                  false);
   const motion::DerivativeBounds bounds = f.bounds(), of_rate = f.bounds(1);
   for (double s = 0; s <= 2; s += 0.125) {
     const auto d = f.at(Ball(s)), rate = f.at(Ball(s), 1);

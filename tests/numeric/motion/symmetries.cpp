@@ -21,7 +21,7 @@ using namespace stickslip::examples;
 
 namespace {
 
-using Vector4 = model::Vector4<Ball>;
+using State = model::Vector4<Ball>;
 using Oscillator = model::Oscillator<Ball>;
 
 // Tiny V, chi near its ends, a load near resonance, or anything.
@@ -52,7 +52,7 @@ ExactParameters corner_parameters(RandomData& random) {
 struct Draw {
   ExactParameters a;
   Oscillator o;
-  Vector4 Z;
+  State Z;
   Ball psi, t, s;
 };
 
@@ -67,25 +67,25 @@ Draw draw(RandomData& random) {
           ball(0, 9)};
 }
 
-Vector4 slip(const Draw& d, const Vector4& Z, const Ball& psi, const Ball& t) {
+State slip(const Draw& d, const State& Z, const Ball& psi, const Ball& t) {
   return model::slip_flow<Ball>(d.o.modes, d.o.Q, d.o.data.omega, psi, Z, t);
 }
-Vector4 overshoot(const Draw& d, const Vector4& Z, const Ball& psi, const Ball& t) {
+State overshoot(const Draw& d, const State& Z, const Ball& psi, const Ball& t) {
   return model::overshoot_flow<Ball>(d.o.modes, d.o.Q, d.o.d0, d.o.data.omega, psi, Z, t);
 }
-Vector4 stick(const Draw& d, const Vector4& Z, const Ball& t) {
+State stick(const Draw& d, const State& Z, const Ball& t) {
   return model::stick_flow<Ball>(d.o.data.chi, Z, t);
 }
 // x = z + d0 and back.
-Vector4 place(const Draw& d, const Vector4& Z, int sign) {
-  Vector4 X = Z;
+State place(const Draw& d, const State& Z, int sign) {
+  State X = Z;
   X(0) += Ball(sign) * d.o.d0(0);
   X(1) += Ball(sign) * d.o.d0(1);
   return X;
 }
 
 // Both contain the same vector, and say something.
-void check_same(const Vector4& a, const Vector4& b) {
+void check_same(const State& a, const State& b) {
   for (int i = 0; i < 4; ++i) {
     CHECK(a(i).overlaps(b(i)));
     CHECK(((a(i) - b(i)).radius() - Ball(1e-20) * (Ball(1) + abs(a(i)))).is_negative());
@@ -104,7 +104,7 @@ void at_random_data(const Check& check) {
   }
 }
 
-const Vector4 origin(Ball(0), Ball(0), Ball(0), Ball(0));
+const State origin(Ball(0), Ball(0), Ball(0), Ball(0));
 
 }  // namespace
 
@@ -119,7 +119,7 @@ TEST_CASE("group law: a flow for t and then for s is the flow for t + s") {
 
 TEST_CASE("time reversal: backwards from the end with the velocity and the load turned round") {
   at_random_data([](const Draw& d) {
-    const auto turned = [](Vector4 Z) {
+    const auto turned = [](State Z) {
       Z(2) = -Z(2);
       Z(3) = -Z(3);
       return Z;
@@ -134,8 +134,8 @@ TEST_CASE("time reversal: backwards from the end with the velocity and the load 
 
 TEST_CASE("x to -x with phi to phi + pi: the slip becomes the overshoot") {
   at_random_data([](const Draw& d) {
-    const Vector4 X = place(d, slip(d, d.Z, d.psi, d.t), 1);
-    const Vector4 mirrored = place(d, -place(d, d.Z, 1), -1);
+    const State X = place(d, slip(d, d.Z, d.psi, d.t), 1);
+    const State mirrored = place(d, -place(d, d.Z, 1), -1);
     check_same(place(d, overshoot(d, mirrored, d.psi + Ball::pi(), d.t), 1), -X);
     check_same(stick(d, -d.Z, d.t), -stick(d, d.Z, d.t));
   });
