@@ -224,16 +224,25 @@ MachineWordOrbits find_word_orbits(const MachineWord& question) {
     return from_start(question);
   }
   constexpr long starts = 100;
-  const MachineAttractors list =
-      find_attractors({.machine = question.machine, .starts = starts, .digits = question.digits});
-  MachineWordOrbits result{question, {}, {}, list.interrupted};
+  MachineWordOrbits result{question, {}, {}};
   std::vector<std::string> others;
-  for (const MachineAttractor& a : list.attractors) {
-    const long periods = a.orbit ? a.orbit->periods : 0;
-    if (a.orbit && a.orbit->existence.truth == Truth::proved && is_of(question, a.word, periods)) {
-      result.orbits.push_back(*a.orbit);
-    } else {
-      others.push_back(name_of(a.kind, a.word, periods, question.machine.oscillator.is_autonomous()));
+  for (const long most_periods : {2000L, MachineStarts().most_periods}) {
+    const MachineAttractors list = find_attractors({.machine = question.machine,
+                                                    .starts = starts,
+                                                    .most_periods = most_periods,
+                                                    .digits = question.digits});
+    others.clear();
+    for (const MachineAttractor& a : list.attractors) {
+      const long periods = a.orbit ? a.orbit->periods : 0;
+      if (a.orbit && a.orbit->existence.truth == Truth::proved && is_of(question, a.word, periods)) {
+        result.orbits.push_back(*a.orbit);
+      } else {
+        others.push_back(name_of(a.kind, a.word, periods, question.machine.oscillator.is_autonomous()));
+      }
+    }
+    result.interrupted = list.interrupted;
+    if (!result.orbits.empty() || result.interrupted) {
+      break;
     }
   }
   if (result.orbits.empty()) {

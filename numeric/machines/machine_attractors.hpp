@@ -91,7 +91,8 @@ struct MachineWordOrbits {
 };
 
 // With a start: the motion from there through so many periods if it goes through the word, else what it
-// settles on; without, what random starts settle on. Throws as settle does.
+// settles on; without, what random starts settle on within 2,000 periods, or where that is nothing of the
+// kind, as many as MachineStarts has. Throws as settle does.
 [[nodiscard]] MachineWordOrbits find_word_orbits(const MachineWord& question);
 
 }  // namespace stickslip::numeric::machines

@@ -61,6 +61,19 @@ TEST_CASE("a paper of one's own is audited, with pages") {
   fs::remove_all(pages);
 }
 
+TEST_CASE("statements are named by what is found of them, too") {
+  const ClaimsFile file(
+      "claim square identity: the square\n  (a + b)^2 = a^2 + 2 a b + b^2\n"
+      "claim wrong identity: not the square\n  (a + b)^2 = a^2 + b^2\n");
+  const Run printed = stickslip_program({"check", file.path(), "as_printed"});
+  CHECK(printed.code == exit_decided);
+  CHECK(printed.out == "square  as printed  the square\n1 claim of the paper: 1 as printed.\n");
+  const Run refuted = stickslip_program({"check", file.path(), "refuted"});
+  CHECK(refuted.code == exit_refuted);
+  CHECK(refuted.out.starts_with("wrong"));
+  CHECK(refuted.out.find("square  as printed") == std::string::npos);
+}
+
 TEST_CASE("statements of a file are printed as LaTeX") {
   const ClaimsFile file("claim square identity: the square\n  (a + b)^2 = a^2 + 2 a b + us^2*b^2/us^2\n");
   const Run run = stickslip_program({"latex", file.path(), "square", "--bare"});

@@ -102,7 +102,7 @@ TEST_CASE("statements compile with their headings" * doctest::timeout(300)) {
 }
 
 TEST_CASE("every result compiles as a theorem, alone, in one column and in two, and nothing sticks out" *
-          doctest::timeout(600)) {
+          doctest::timeout(600) * doctest::test_suite("nightly") * doctest::skip()) {
   for (const proofs::methods::Result& result : proofs::pascal2012::paper().results) {
     const Run theorem = stickslip_program({"latex", "--theorem", result.id});
     REQUIRE(theorem.code == exit_decided);

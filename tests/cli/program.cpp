@@ -76,7 +76,7 @@ Run run_into(const std::string& program, const Words& arguments, const std::stri
 
 int kills() {
   const char * const given = std::getenv("STICKSLIP_KILLS");
-  return given == nullptr ? 10 : std::atoi(given);
+  return given == nullptr ? 3 : std::atoi(given);
 }
 
 Run run(const std::string& program, const Words& arguments) {

@@ -16,7 +16,7 @@ using Words = std::vector<std::string>;
 // What is in the file.
 [[nodiscard]] std::string content(const std::filesystem::path& file);
 
-// How often a test kills what it has started: STICKSLIP_KILLS, or ten times.
+// How often a test kills what it has started: STICKSLIP_KILLS, or three times.
 [[nodiscard]] int kills();
 
 struct Run {

@@ -1,11 +1,9 @@
 #!/bin/sh
-# Makes the reports that the tests of tests/report/tools look at: the audit, twice, with what it said and its exit code,
-# the errata, lists.
+# Makes the reports that the tests of tests/report/tools look at: the audit with what it said and its exit code, the
+# errata, lists. Or makes the audit once more, beside the first, and compares the two.
 #
-#   report.sh PROGRAM DIRECTORY
+#   report.sh PROGRAM DIRECTORY [again]
 set -eu
-rm -rf "$2"
-mkdir -p "$2"
 audit() {
   # 2: something is undecided, which is for other tests to judge.
   code=0
@@ -14,9 +12,14 @@ audit() {
   [ $code -eq 0 ] || [ $code -eq 2 ]
   cmp "$2.json" "$2/audit.json"
 }
-audit "$1" "$2/audit" &
-audit "$1" "$2/again"
-wait $!
+if [ "${3-}" = again ]; then
+  rm -rf "$2/again"
+  audit "$1" "$2/again"
+  exec diff -r "$2/audit" "$2/again"
+fi
+rm -rf "$2"
+mkdir -p "$2"
+audit "$1" "$2/audit"
 mkdir "$2/errata"
 "$1" latex --errata >"$2/errata/errata.tex"
 "$1" orbits overshooting --example O --out "$2/orbits" >/dev/null

@@ -151,15 +151,12 @@ def test_latex():
         stickslip.latex("H9")
 
 
-def test_latex_of_theorems_orbits_and_errata():
+def test_latex_of_theorems_and_orbits():
     assert stickslip.latex(theorem="moving-belt") == program("latex", "--theorem", "moving-belt")
     assert stickslip.latex(orbit="symmetric:1", example="S") == program("latex", "--orbit=symmetric:1", "--example=S")
     given = [f"--{k}={v}" for k, v in MACHINE.items()]
     assert (stickslip.latex(orbit="nonsticking:2", **MACHINE, digits=30) ==
             program("latex", "--orbit=nonsticking:2", *given, "--digits=30") != "")
-    printed = os.environ.get("STICKSLIP_ERRATA")  # by the program
-    assert stickslip.latex(errata=True) == (Path(printed).read_text(encoding="utf-8") if printed else
-                                            program("latex", "--errata")) != ""
     with pytest.raises(stickslip.UsageError, match="there is no result 'x'"):
         stickslip.latex(theorem="x")
     with pytest.raises(stickslip.UsageError, match="exactly one"):
@@ -168,6 +165,13 @@ def test_latex_of_theorems_orbits_and_errata():
         stickslip.latex(theorem="moving-belt", example="S")
     with pytest.raises(stickslip.UsageError, match="for all parameters"):
         stickslip.latex("H2", example="S")
+
+
+@pytest.mark.nightly
+def test_latex_of_errata():
+    printed = os.environ.get("STICKSLIP_ERRATA")  # by the program
+    assert stickslip.latex(errata=True) == (Path(printed).read_text(encoding="utf-8") if printed else
+                                            program("latex", "--errata")) != ""
 
 
 def test_other_threads_run_meanwhile():

@@ -169,6 +169,7 @@ def test_results_become_dictionaries():
             thing.nothing
 
 
+@pytest.mark.nightly
 def test_stable_orbits_have_neighbourhoods_where_they_are_asked_for():
     found = stickslip.orbits("overshooting", example="O", neighbourhood=True)
     assert found.json["command"].endswith(" --neighbourhood")
@@ -182,6 +183,7 @@ def test_stable_orbits_have_neighbourhoods_where_they_are_asked_for():
         stickslip.attractors(example="O", along=("p", "0.1", "0.2"), neighbourhood=True)
 
 
+@pytest.mark.nightly
 def test_a_neighbourhood_of_a_machine_in_si_units_is_in_these():
     machine = stickslip.Machine(m1=4, m2=1, k1=320, k2=80, normal_force="0.1", friction_at_rest="1.834",
                                 friction_sliding="0.2", belt_velocity="0.01", load_amplitude="0.005",

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -47,6 +48,13 @@ class RandomData {
   unsigned seed_;
   std::mt19937 engine_;
 };
+
+// How many times as much is drawn or looked at where a part tells most of the whole: 1, or the number in
+// STICKSLIP_MORE, as script/nightly has it.
+[[nodiscard]] inline int more() {
+  const char * const given = std::getenv("STICKSLIP_MORE");
+  return given != nullptr ? std::max(1, std::atoi(given)) : 1;
+}
 
 // For a failure's report.
 [[nodiscard]] inline std::string to_string(const ExactParameters& a) {

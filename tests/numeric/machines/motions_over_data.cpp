@@ -595,7 +595,7 @@ TEST_CASE("a box of data is divided by what the motion is") {
                     {parse_rational("3.5882"), Rational(dashpot.value * Rational("1001/1000"))}};
   const MachineOrbit there = prove_machine_orbit(at(start), guess_of(orbit, engineers()));
   REQUIRE(state_of(there) == branches::State::stable);
-  const auto parts = motions_over(box, {{start, guess_of(there, at(start))}}, {5, 120});
+  const auto parts = motions_over(box, {{start, guess_of(there, at(start))}}, {4, 60});
   Rational stable = 0, inadmissible = 0, whole = 0;
   for (const PartOfBox& part : parts) {
     const Rational area = (part.high[0] - part.low[0]) * (part.high[1] - part.low[1]);

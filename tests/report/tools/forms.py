@@ -101,7 +101,7 @@ FORMS = {
     ],
     "machine_box": [
         "branch OTS --params TABLES --along belt.velocity 0.0495..0.0505 --along spring.1.c 0.59..0.61",
-        "branch OTS --params TABLES --along friction.at_rest 13.19..13.21 --along spring.1.c 0.59..0.61 --parts 8",
+        "branch OTS --params TABLES --along friction.at_rest 13.19..13.51 --along spring.1.c 0.59..0.61 --parts 3",
         "branch OSOT --params TABLES --along belt.velocity 0.04..0.05 --along spring.1.c 0.59..0.61"
     ],
     "machine_steady_branch": [
