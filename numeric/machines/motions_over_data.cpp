@@ -141,10 +141,13 @@ Rational volume_of(const Values& edges) {
   return volume;
 }
 
-// A part in which the motions exist, with the place of the closed chain in its middle, one of them.
+constexpr auto none = std::numeric_limits<std::size_t>::max();
+
+// A part in which the motions exist, and the places of the closed chains that are known of them.
 struct Whole {
   Judged motions;
-  std::size_t middle = 0;
+  std::vector<std::size_t> known;
+  std::size_t of = none;  // the place of the whole of which it is a part
 };
 
 // A part of the box in coordinates in which the numbers are linear: the data, or their inverses.
@@ -153,7 +156,7 @@ struct Part {
   std::vector<int> halvings;
   std::vector<std::size_t> known = {};  // places of the closed chains that are known in it
   std::size_t near = 0;                 // and of one that may lie beside it
-  std::optional<Whole> whole = {};      // of which it is a part
+  std::size_t whole = none;             // the place of that of which it is a part
   double away = 0;                      // from a given motion
 
   [[nodiscard]] Rational volume() const { return volume_of(half); }
@@ -229,9 +232,19 @@ class Search {
       // Where not all can be looked at those are that have the shortest way to a given motion.
       std::ranges::stable_sort(now, {}, &Part::away);
       std::vector<Part> halves;
+      double ahead = 0;  // parts to be looked at that those before are halved to
       for (std::size_t first = 0; first < now.size(); first += at_once) {
-        const long left = effort_.most_parts - std::max(looked_at_, static_cast<long>(first));
-        look_at(std::span(now).subspan(first, std::min(at_once, now.size() - first)), left, halves);
+        const std::span<const Part> batch =
+            std::span(now).subspan(first, std::min(at_once, now.size() - first));
+        auto left = static_cast<double>(effort_.most_parts - looked_at_);
+        long most = 0;
+        for (const Part& part : batch) {
+          most += ahead < left ? 1 : 0;
+          const bool is_wide = is_too_wide(part);
+          ahead += is_wide ? count_narrow(part) : 0;
+          left -= is_wide ? 0 : 1;
+        }
+        look_at(batch, most, halves);
       }
       now = halves;
     }
@@ -280,9 +293,9 @@ class Search {
     const auto all = parallel_map(parts.size(), [&](std::size_t i) {
       const char * const why = interrupted() ? "interrupted" : "more parts than were to be looked at";
       Found found = is_left_out(i) ? Found{Verdict::undecided(why)} : look(parts[i]);
-      if (parts[i].whole && found.existence.truth != Truth::proved) {
+      if (parts[i].whole != none && found.existence.truth != Truth::proved) {
         found.existence = Verdict::proved();
-        found.motions = parts[i].whole->motions;
+        found.motions = wholes_[parts[i].whole].motions;
         found.is_of_whole = true;
         found.middle.reset();  // it is not known to be one of those
       }
@@ -397,6 +410,16 @@ class Search {
                                                                                             : nullptr;
   }
 
+  // How many parts that are not too wide one has that is, as far as is known.
+  [[nodiscard]] double count_narrow(const Part& part) const {
+    double count = 1;
+    for (std::size_t k = 0; k < width_.size(); ++k) {
+      const double wider = Rational(part.half[k] / (width_[k] * Rational(most_growth))).get_d();
+      count *= wider > 1 ? std::exp2(std::ceil(std::log2(wider))) : 1;
+    }
+    return std::max(count, 2.0);
+  }
+
   [[nodiscard]] bool is_too_wide(const Part& part) const {
     if (failed(part) != nullptr) {
       return true;
@@ -476,10 +499,15 @@ class Search {
     if (found.middle) {
       known_.push_back({part.middle, *found.middle});
     }
+    const bool is_whole = found.existence.truth == Truth::proved && found.middle;
+    if (is_whole) {
+      wholes_.push_back({found.motions, part.known, part.whole});
+      wholes_.back().known.push_back(known_.size() - 1);
+    }
     for (Part * half : {&low, &high}) {
       half->away = distance(*half);
-      if (found.existence.truth == Truth::proved && found.middle) {
-        half->whole = Whole{found.motions, known_.size() - 1};
+      if (is_whole) {
+        half->whole = wholes_.size() - 1;
       }
       std::erase_if(half->known, [&](std::size_t i) { return !half->contains(known_[i].s); });
       if (found.middle) {
@@ -491,31 +519,32 @@ class Search {
   }
 
   // Parts of one family have a way from one to the other through closed chains that are known in both of two
-  // on it; those that have none to a given motion are undecided.
+  // on it. Those that have none to a given motion are what a whole is that has one; without, undecided.
   [[nodiscard]] std::vector<PartOfBox> joined() const {
-    constexpr auto none = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> of_known(known_.size(), none), of_part(done_.size(), none);
+    std::vector<std::size_t> of_known(known_.size(), none), of_part(done_.size(), none),
+        of_whole(wholes_.size(), none);
     for (std::size_t family = 0; family < given_; ++family) {
       if (of_known[family] != none) {
         continue;
       }
       of_known[family] = family;
-      for (bool more = true; more;) {
-        more = false;
-        for (std::size_t i = 0; i < done_.size(); ++i) {
-          std::vector<std::size_t> known = done_[i].part.known;
-          if (done_[i].found.is_of_whole) {
-            known.push_back(done_[i].part.whole->middle);
-          }
-          const bool is_of_it =
-              std::ranges::any_of(known, [&](std::size_t k) { return of_known[k] == family; });
-          if (of_part[i] != none || done_[i].found.existence.truth != Truth::proved || !is_of_it) {
-            continue;
-          }
+      bool more = true;
+      const auto join = [&](const std::vector<std::size_t>& known, std::size_t& of) {
+        if (of == none && std::ranges::any_of(known, [&](std::size_t k) { return of_known[k] == family; })) {
           more = true;
-          of_part[i] = family;
-          for (const std::size_t k : known) {
-            of_known[k] = family;
+          of = family;
+          std::ranges::for_each(known, [&](std::size_t k) { of_known[k] = family; });
+        }
+      };
+      while (more) {
+        more = false;
+        for (std::size_t i = 0; i < wholes_.size(); ++i) {
+          join(wholes_[i].known, of_whole[i]);
+        }
+        for (std::size_t i = 0; i < done_.size(); ++i) {
+          const auto& [part, found] = done_[i];
+          if (found.existence.truth == Truth::proved && !found.is_of_whole) {
+            join(part.known, of_part[i]);
           }
         }
       }
@@ -523,6 +552,10 @@ class Search {
     std::vector<PartOfBox> parts;
     for (std::size_t i = 0; i < done_.size(); ++i) {
       const auto& [part, found] = done_[i];
+      std::size_t whole = of_part[i] == none ? part.whole : none;
+      while (whole != none && of_whole[whole] == none) {
+        whole = wholes_[whole].of;
+      }
       Values low = part.middle, high = part.middle;
       for (std::size_t k = 0; k < low.size(); ++k) {
         low[k] -= part.half[k];
@@ -533,7 +566,11 @@ class Search {
       }
       PartOfBox& one = parts.emplace_back(
           PartOfBox{inverted(low), inverted(high), found.existence, found.motions, of_part[i]});
-      if (found.existence.truth == Truth::proved && of_part[i] == none) {
+      if (whole != none) {
+        one.existence = Verdict::proved();
+        one.motions = wholes_[whole].motions;
+        one.family = of_whole[whole];
+      } else if (found.existence.truth == Truth::proved && of_part[i] == none) {
         one.existence =
             Verdict::undecided("no way through parts that are proved leads there from the motion");
         one.motions = {};
@@ -551,6 +588,7 @@ class Search {
   Part whole_;
   std::vector<Known> known_;  // s being coordinates of the box
   std::size_t given_ = 0;
+  std::vector<Whole> wholes_;
   Values width_;  // half of that of the largest part that was proved
   std::map<std::vector<int>, Tried> tried_;
   std::vector<Done> done_;
