@@ -729,6 +729,23 @@ TEST_CASE(
         "several --along are for a word of phases such as OTS"}});
 }
 
+TEST_CASE("what is known of a whole box is not lost in many parts of it" * doctest::test_suite("nightly") *
+          doctest::skip()) {
+  const std::filesystem::path here(__FILE__);
+  const std::string brake = here.parent_path().parent_path().parent_path() / "examples/machines/brake.toml";
+  const Run box =
+      stickslip_program({"branch", "STST", "--params", brake, "--along", "belt.velocity", "0.0938..0.0949",
+                         "--along", "mass.1.m", "0.59999..0.60001", "--all", "--parts", "500", "--json"});
+  CHECK(box.code == exit_undecided);  // the stability
+  const Json parts = Json::parse(box.out).at("motions").at(0).at("parts");
+  CHECK(parts.size() > 500);
+  CHECK(parts.size() < 5000);
+  for (const Json& part : parts) {
+    CAPTURE(part);
+    CHECK(part.at("existence") == "proved");
+  }
+}
+
 TEST_CASE("what does not go with a machine in tables is refused in a sentence") {
   const TemporaryDirectory directory;
   const std::string file = directory / "machine.toml";
