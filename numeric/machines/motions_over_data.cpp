@@ -410,7 +410,7 @@ class Search {
                                                                                             : nullptr;
   }
 
-  // How many parts that are not too wide one has that is, as far as is known.
+  // Into how many parts that are not too wide one that is has to be cut, as far as is known.
   [[nodiscard]] double count_narrow(const Part& part) const {
     double count = 1;
     for (std::size_t k = 0; k < width_.size(); ++k) {

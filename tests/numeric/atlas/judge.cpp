@@ -135,7 +135,7 @@ TEST_CASE("Leaves say what the lists of orbits say at points in them") {
                      30) > 0);
 }
 
-TEST_CASE("Leaves say what the lists say in stripes, over few parameters and beside folds" *
+TEST_CASE("Leaves say what the lists of orbits say in stripes, and where V, ur and the masses vary" *
           doctest::test_suite("nightly") * doctest::skip()) {
   CHECK(check_leaves(
             question(families::symmetric(), {"0.5", "3.8", "0.02", "1", "0.6..0.632", "0.1..0.101"}, 6), 30) >
