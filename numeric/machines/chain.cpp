@@ -18,10 +18,8 @@ namespace {
 constexpr long more_bits = 64;
 
 LinearPhases phases_of(const MachineQuestion& question) {
-  if (!question.points.empty()) {
-    std::vector<model::FrictionOscillator<Ball>> points;
-    std::ranges::transform(question.points, std::back_inserter(points), oscillator_as<Ball>);
-    return LinearPhases(points);
+  if (question.machines) {
+    return LinearPhases(*question.machines);
   }
   const WorkingPrecision scope(WorkingPrecision::bits() + more_bits);
   LinearPhases phases(oscillator_as<Ball>(question.machine));
@@ -60,27 +58,16 @@ Chain::Chain(const MachineQuestion& question)
   if (!autonomous_) {
     turn_ = Ball(2 * question.periods) * Ball::pi() / o.omega;
   }
-  const auto speeds_of = [&](const Machine& machine) {
-    std::vector<Ball> speeds;
-    for (std::size_t i = 0; i < size(); ++i) {
-      speeds.push_back(speed_between(machine.oscillator, pieces_[(i + size() - 1) % size()], pieces_[i]));
-    }
-    return speeds;
-  };
-  if (question.points.empty()) {
-    speeds_ = speeds_of(question.machine);
-    return;
-  }
-  std::ranges::transform(question.points, std::back_inserter(speeds_at_points_), speeds_of);
   for (std::size_t i = 0; i < size(); ++i) {
-    std::vector<Ball> values;
-    for (const std::vector<Ball>& at_point : speeds_at_points_) {
-      values.push_back(at_point[i]);
+    const Piece &before = pieces_[(i + size() - 1) % size()], &after = pieces_[i];
+    if (question.machines) {
+      speeds_in_data_.push_back(speed_between(question.machines->numbers, before, after));
+      speeds_.push_back(speeds_in_data_.back().all());
+    } else {
+      speeds_.emplace_back(speed_between(question.machine.oscillator, before, after));
     }
-    speeds_in_data_.push_back(through(values));
-    speeds_.push_back(speeds_in_data_.back().all());
   }
-  if (!autonomous_) {
+  if (question.machines && !autonomous_) {
     omega_in_data_ = phases_.number([](const auto& one) { return one.omega; });
     turn_in_data_ = reciprocal(omega_in_data_) * (Ball(2 * question.periods) * Ball::pi());
   }
@@ -191,14 +178,15 @@ InData<Matrix> Chain::beginning(const NodesInData& nodes, std::size_t i) const {
 
 Chain::Course Chain::course(const NodesInData& nodes, std::size_t i) const {
   const std::size_t following = (i + 1) % size();
-  std::vector<Matrix> events;
-  for (std::size_t p = 0; p < phases_.points().size(); ++p) {
-    events.emplace_back(
-        event_between(phases_.points()[p], pieces_[i], pieces_[following], speeds_at_points_[p][following])
-            .transpose());
-  }
+  const bool slips = pieces_[following].kind == PhaseKind::slip;
+  const InData<Ball> least = phases_.number([](const auto& o) { return o.backward.at_rest; }) * Ball(-1);
+  const InData<Ball> bound = pieces_[i].kind != PhaseKind::stick ? speeds_in_data_[following]
+                             : slips ? phases_.number([](const auto& o) { return o.forward.at_rest; })
+                                     : least;
+  InData<Matrix> event = phases_.watched(pieces_[i]);
+  event -= mapped(bound, [&](const Ball& x) { return Matrix((phases_.one() * x).transpose()); });
   const InData<Matrix> flow = phases_.flow(pieces_[i], duration(nodes, i)), begin = beginning(nodes, i);
-  return {flow, begin, flow * begin, through(events)};
+  return {flow, begin, flow * begin, event};
 }
 
 InData<Matrix> Chain::conditions(const NodesInData& nodes, std::size_t i) const {

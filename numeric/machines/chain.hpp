@@ -52,9 +52,9 @@ struct MachineQuestion {
   Machine machine;
   std::vector<Piece> pieces;  // piece i begins at node i; neighbours differ
   long periods = 1;           // of the load, if there is one
-  // Where there are any all machines are meant whose numbers are linear functions of data, by those at the
-  // points of in_data.hpp; `machine` is the first, in the middle.
-  std::vector<Machine> points = {};
+  // If there are any all machines are meant whose numbers are these functions of data; `machine` is that in
+  // the middle.
+  std::optional<OscillatorInData> machines = {};
 };
 
 // At the working precision at which it is made. It keeps what it has computed.
@@ -76,7 +76,7 @@ class Chain {
   // How much theta, the duration and w change along the phases with each datum, in units of w and of what
   // grows in a time.
   [[nodiscard]] std::vector<double> changes(const NodesInData& nodes) const;
-  [[nodiscard]] std::size_t data() const { return phases_.drift_in_data(pieces_[0]).data(); }
+  [[nodiscard]] std::size_t data() const { return phases_.data(); }
 
   [[nodiscard]] const LinearPhases& phases() const { return phases_; }
   // (x, x') at node i.
@@ -108,9 +108,8 @@ class Chain {
   LinearPhases phases_;
   std::vector<Ball> speeds_;  // x_j' at the nodes
   Ball turn_;                 // of all periods
-  // For all machines these, and x_j' at the points.
+  // For all machines these.
   std::vector<InData<Ball>> speeds_in_data_;
-  std::vector<std::vector<Ball>> speeds_at_points_;
   InData<Ball> omega_in_data_, turn_in_data_;
 };
 

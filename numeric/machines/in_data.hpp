@@ -15,6 +15,8 @@
 
 #include "core/ball.hpp"
 #include "core/sinc.hpp"
+#include "model/friction_oscillator.hpp"
+#include "numeric/scalars/scalars.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
@@ -170,6 +172,9 @@ struct InData {
     machines::add(rest, other.rest);
     return *this;
   }
+  InData& operator-=(const InData& other) { return *this += other * Ball(-1); }
+  friend InData operator+(InData a, const InData& b) { return a += b; }
+  friend InData operator-(InData a, const InData& b) { return a -= b; }
 };
 
 // linear(f), of a function that maps 0 to 0.
@@ -237,48 +242,30 @@ template <class M>
   return product(f, g, [](const M& x, const M& y) { return M(zeros::product(x, y)); });
 }
 
-// Points that tell a polynomial of the second degree, e the units: 0; e_1, -e_1; e_2, e_1 + e_2, -e_2; … In
-// this order e_k is number k (k + 1)/2, e_j + e_k that and j, -e_k that and k.
-[[nodiscard]] inline std::vector<std::vector<int>> points_of(std::size_t data) {
-  std::vector<std::vector<int>> points{std::vector<int>(data, 0)};
-  for (std::size_t k = 1; k <= data; ++k) {
-    for (std::size_t j = 0; j <= k; ++j) {
-      points.emplace_back(data, 0)[k - 1] = j == k ? -1 : 1;
-      if (j > 0 && j < k) {
-        points.back()[j - 1] = 1;
+// The matrix of these functions.
+template <class Entries>
+[[nodiscard]] InData<model::MatrixX<Ball>> together(const Eigen::MatrixBase<Entries>& entries) {
+  using Matrix = model::MatrixX<Ball>;
+  InData<Matrix> A(Matrix::Constant(entries.rows(), entries.cols(), Ball(0)));
+  const auto put = [&](Matrix& into, Eigen::Index i, Eigen::Index k, const Ball& x) {
+    if (!is_none(x)) {
+      if (is_none(into)) {
+        into = Matrix::Constant(entries.rows(), entries.cols(), Ball(0));
       }
-    }
-  }
-  return points;
-}
-// The one that has these values there. A coefficient that may be zero is part of the rest: most are.
-template <class M>
-[[nodiscard]] InData<M> through(const std::vector<M>& values) {
-  const auto may_be_zero = [](const M& x) {
-    if constexpr (std::is_same_v<M, Ball>) {
-      return x.contains_zero();
-    } else {
-      return std::all_of(x.data(), x.data() + x.size(), [](const Ball& y) { return y.contains_zero(); });
+      into(i, k) = x;
     }
   };
-  InData<M> f(values.front());
-  const auto add_monomial = [&](const Monomial& m, const M& x) {
-    if (may_be_zero(x)) {
-      add(f.rest, M(x * m.range()));
-    } else {
-      f.c[m.place()] = x;
-    }
-  };
-  for (std::size_t k = 1, first = 1; first < values.size(); ++k, first += k) {
-    const M &high = values[first], &low = values[first + k];
-    f.c.resize(monomials(k));
-    add_monomial({{0, 0, k}}, M((high - low) * Ball(0.5)));
-    add_monomial({{0, k, k}}, M((high + low) * Ball(0.5) - values[0]));
-    for (std::size_t j = 1; j < k; ++j) {
-      add_monomial({{0, j, k}}, M(values[first + j] - high - values[j * (j + 1) / 2] + values[0]));
+  for (Eigen::Index i = 0; i < entries.rows(); ++i) {
+    for (Eigen::Index k = 0; k < entries.cols(); ++k) {
+      const InData<Ball>& f = entries(i, k);
+      A.c.resize(std::max(A.c.size(), f.c.size()));
+      for (std::size_t place = 0; place < f.c.size(); ++place) {
+        put(A.c[place], i, k, f.c[place]);
+      }
+      put(A.rest, i, k, f.rest);
     }
   }
-  return f;
+  return A;
 }
 
 // 1/(a + d) = (1 - q + q² - q³ + q⁴/(1 + q))/a with q = d/a. Not finite unless a + d has no zero.

@@ -68,7 +68,7 @@ void Watched::follow(const LinearPhases& phases, Piece piece, const Vector& w, c
 // row B^m w/m!.
 InData<Vector> Watched::terms_at(const InData<Matrix>& w) const {
   const auto count = static_cast<Eigen::Index>(watch_->rows.size());
-  if (phases_.points().empty()) {
+  if (!phases_.is_over_data()) {
     return mapped(w, [&](const Matrix& one) {
       Vector terms = Vector::Constant(count, Ball(0));
       for (Eigen::Index m = 0; m < count; ++m) {
@@ -100,14 +100,13 @@ InData<Vector> Watched::terms_at(const InData<Matrix>& w) const {
 const Watched::Stretch& Watched::stretch(std::size_t k) const {
   // From one to the next balls grow; so every now and then from the first, and of many machines always.
   constexpr std::size_t most_in_a_row = 16;
-  const bool is_one = phases_.points().empty();
   while (stretches_.size() <= k) {
     const std::size_t n = stretches_.size();
     const double start = static_cast<double>(n) * watch_->length;
     const Ball t(reversed_ ? -start : start);
     const InData<Matrix>& first = stretches_[0].w;
     InData<Matrix> w;
-    if (!is_one) {
+    if (phases_.is_over_data()) {
       w = phases_.flow(piece_, InData<Ball>(t)) * first;
     } else if (n % most_in_a_row == 0) {
       w = InData<Matrix>(Matrix(phases_.after(piece_, t, Vector(first.all()))));
@@ -367,8 +366,7 @@ class Judge {
     const int side = piece.side();
     // side V minus the relative velocity at which a piece begins.
     const auto from_belt = [&](std::size_t one) {
-      return in_data(
-          [&](const auto& other) { return Ball(Ball(side) * other.V - other.law(side).sliding[one].from); });
+      return in_data([&](const auto& o) { return o.V * Ball(side) - o.law(side).sliding[one].from; });
     };
     const model::FrictionLaw<Rational>& exact = exact_.law(side);
     const bool slowly = number == 0 && from_stick && exact.sliding.front().force == exact.at_rest;
@@ -405,7 +403,7 @@ class Judge {
     add("crossing", "$|r| > ur$ where a slip and an overshoot meet");
     InData<Ball> distance = mapped(linear_.watched({PhaseKind::stick}) * phase_.begin,
                                    [&](const Matrix& r) { return Ball(Ball(slips ? 1 : -1) * r(0, 0)); });
-    distance += in_data([&](const auto& o) { return Ball(-o.law(slips ? 1 : -1).at_rest); });
+    distance -= in_data([&](const auto& o) { return o.law(slips ? 1 : -1).at_rest; });
     judge(list_.back(), distance.all(), true, "the distance");
     if (list_.back().verdict.truth == Truth::refuted) {
       list_.back().violation = motion::Violation{phase_.start, *list_.back().margin};

@@ -37,73 +37,56 @@ LinearPhases::LinearPhases(const model::FrictionOscillator<Ball>& oscillator)
       start_box(model::mapped<double>(oscillator, [](const Ball& x) { return x.approximate(); })).half;
   units_ = Vector::Constant(size_, Ball(1));
   units_.head(2 * n_) = half.unaryExpr([](double x) { return Ball(std::exp2(std::round(std::log2(x)))); });
-  // Without friction m_j x_j'' = -r.
-  r_ = Vector::Constant(size_, Ball(0));
-  r_.head(n_) = oscillator.stiffness.row(rubbing()).transpose();
-  r_.segment(n_, n_) = oscillator.damping.row(rubbing()).transpose();
-  for (const model::HarmonicForce<Ball>& load : oscillator.loads) {
+  r_ = row_of_r(oscillator_);
+}
+
+LinearPhases::LinearPhases(const OscillatorInData& machines)
+    : LinearPhases(model::mapped<Ball>(machines.numbers, [](const InData<Ball>& x) { return x.all(); })) {
+  machines_ = machines;
+}
+
+// Without friction m_j x_j'' = -r.
+template <class S>
+model::VectorX<S> LinearPhases::row_of_r(const model::FrictionOscillator<S>& oscillator) const {
+  model::VectorX<S> r = model::VectorX<S>::Constant(size_, S(Ball(0)));
+  for (Eigen::Index k = 0; k < n_; ++k) {
+    r(k) = oscillator.stiffness(rubbing(), k);
+    r(n_ + k) = oscillator.damping(rubbing(), k);
+  }
+  for (const model::HarmonicForce<S>& load : oscillator.loads) {
     if (load.mass != oscillator.rubbing) {
       continue;
     }
     const auto found = std::find(multiples_.begin(), multiples_.end(), load.k);
     if (found == multiples_.end()) {
-      r_(2 * n_) -= load.cosine;
+      r(2 * n_) -= load.cosine;
       continue;
     }
     const Eigen::Index k = 2 * n_ + 1 + 2 * (found - multiples_.begin());
-    r_(k) -= load.cosine;
-    r_(k + 1) -= load.sine;
+    r(k) -= load.cosine;
+    r(k + 1) -= load.sine;
   }
+  return r;
 }
 
-namespace {
-
-// The numbers of all machines.
-model::FrictionOscillator<Ball> all_of(const std::vector<model::FrictionOscillator<Ball>>& points) {
-  std::vector<std::vector<Ball>> numbers(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    (void)model::mapped<Ball>(points[i], [&](const Ball& x) { return numbers[i].emplace_back(x); });
-  }
-  std::size_t k = 0;
-  return model::mapped<Ball>(points.front(), [&](const Ball&) {
-    std::vector<Ball> values;
-    for (const std::vector<Ball>& at_point : numbers) {
-      values.push_back(at_point.at(k));
-    }
-    ++k;
-    return through(values).all();
-  });
-}
-
-}  // namespace
-
-LinearPhases::LinearPhases(const std::vector<model::FrictionOscillator<Ball>>& points)
-    : LinearPhases(all_of(points)) {
-  std::vector<Matrix> r;
-  for (const model::FrictionOscillator<Ball>& point : points) {
-    r.emplace_back(points_.emplace_back(point).r_);
-  }
-  r_ = through(r).all();
-}
-
-Matrix LinearPhases::forces(Piece piece) const {
+template <class S>
+model::MatrixX<S> LinearPhases::forces(const model::FrictionOscillator<S>& oscillator, Piece piece) const {
   const Eigen::Index j = rubbing();
-  Matrix F = Matrix::Constant(size_, size_, Ball(0));
+  model::MatrixX<S> F = model::MatrixX<S>::Constant(size_, size_, S(Ball(0)));
   for (Eigen::Index i = 0; i < n_; ++i) {
-    F(i, n_ + i) = Ball(1);
+    F(i, n_ + i) = S(Ball(1));
     for (Eigen::Index k = 0; i != j && k < n_; ++k) {
-      F(n_ + i, k) = -oscillator_.stiffness(i, k);
-      F(n_ + i, n_ + k) = -oscillator_.damping(i, k);
+      F(n_ + i, k) -= oscillator.stiffness(i, k);
+      F(n_ + i, n_ + k) -= oscillator.damping(i, k);
     }
   }
   for (std::size_t l = 0; l < multiples_.size(); ++l) {
     const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
-    const Ball frequency = Ball(multiples_[l]) * oscillator_.omega;
-    F(k, k + 1) = -frequency;
-    F(k + 1, k) = frequency;
+    F(k + 1, k) = oscillator.omega * Ball(multiples_[l]);
+    F(k, k + 1) -= F(k + 1, k);
   }
-  for (const model::HarmonicForce<Ball>& load : oscillator_.loads) {
-    if (load.mass == oscillator_.rubbing) {
+  for (const model::HarmonicForce<S>& load : oscillator.loads) {
+    if (load.mass == oscillator.rubbing) {
       continue;
     }
     const Eigen::Index i = n_ + static_cast<Eigen::Index>(load.mass);
@@ -120,28 +103,29 @@ Matrix LinearPhases::forces(Piece piece) const {
     return F;
   }
   // m x_j'' = u - r, u = side (force + slope (side (V - x_j') - from)).
-  if (piece.number < 0 || static_cast<std::size_t>(piece.number) >= oscillator_.law(piece.side()).pieces()) {
+  if (piece.number < 0 || static_cast<std::size_t>(piece.number) >= oscillator.law(piece.side()).pieces()) {
     throw InternalError("the friction law has no such piece");
   }
+  const model::VectorX<S> r = row_of_r(oscillator);
   for (Eigen::Index k = 0; k < size_; ++k) {
-    F(n_ + j, k) = -r_(k);
+    F(n_ + j, k) -= r(k);
   }
   if (is_smooth(piece)) {
     return F;
   }
-  const model::SlidingPiece<Ball>& law =
-      oscillator_.law(piece.side()).sliding[static_cast<std::size_t>(piece.number)];
+  const model::SlidingPiece<S>& law =
+      oscillator.law(piece.side()).sliding[static_cast<std::size_t>(piece.number)];
   F(n_ + j, n_ + j) -= law.slope;
-  F(n_ + j, 2 * n_) += Ball(piece.side()) * (law.force - law.slope * law.from) + law.slope * oscillator_.V;
+  F(n_ + j, 2 * n_) += (law.force - law.slope * law.from) * Ball(piece.side()) + law.slope * oscillator.V;
   return F;
 }
 
 const Matrix& LinearPhases::drift(Piece piece) const {
   const auto [entry, is_new] = drifts_.try_emplace(piece);
-  if (is_new && !points_.empty()) {
+  if (is_new && machines_) {
     entry->second = drift_in_data(piece).all();
   } else if (is_new) {
-    entry->second = forces(piece);
+    entry->second = forces(oscillator_, piece);
     for (Eigen::Index i = 0; i < n_; ++i) {
       for (Eigen::Index k = 0; k < size_; ++k) {
         entry->second(n_ + i, k) /= oscillator_.masses[static_cast<std::size_t>(i)];
@@ -151,15 +135,10 @@ const Matrix& LinearPhases::drift(Piece piece) const {
   return entry->second;
 }
 
-// Forces are sums of products of two numbers at most.
 const InData<Matrix>& LinearPhases::drift_in_data(Piece piece) const {
   const auto [entry, is_new] = drifts_in_data_.try_emplace(piece);
   if (!is_new) {
     return entry->second;
-  }
-  std::vector<Matrix> forces;
-  for (const LinearPhases& point : points_) {
-    forces.push_back(point.forces(piece));
   }
   InData<Matrix> inverse(Matrix::Identity(size_, size_));  // of M
   for (Eigen::Index i = n_; i < 2 * n_; ++i) {
@@ -172,7 +151,8 @@ const InData<Matrix>& LinearPhases::drift_in_data(Piece piece) const {
       return A;
     });
   }
-  return entry->second = product(inverse, through(forces), sparse_product<Matrix>);
+  return entry->second =
+             product(inverse, together(forces(machines_->numbers, piece)), sparse_product<Matrix>);
 }
 
 namespace {
@@ -207,7 +187,7 @@ Matrix part_of(const Matrix& B, const std::vector<Eigen::Index>& rows,
 std::optional<LinearPhases::Modes> LinearPhases::make_modes(Piece piece) const {
   const Matrix& B = drift(piece);
   const bool sticks = piece.kind == PhaseKind::stick;
-  if (!points_.empty()) {
+  if (machines_) {
     return std::nullopt;
   }
   Modes modes;
@@ -328,7 +308,7 @@ InData<Matrix> LinearPhases::flow(Piece piece, const InData<Ball>& h) const {
 }
 
 Matrix LinearPhases::flow_at(Piece piece, const Ball& t) const {
-  if (!points_.empty()) {
+  if (machines_) {
     return exponential(drift_in_data(piece) * t, units_).all();
   }
   const std::optional<Modes>& known = modes(piece);
@@ -355,11 +335,11 @@ const LinearPhases::Exponential& LinearPhases::nearest(Piece piece, const Ball& 
     if (all.size() >= (is_closed ? 1 : most_kept)) {
       all.erase(all.begin());
     }
-    if (points_.empty()) {
-      all.push_back({t, flow_at(piece, t), {}});
-    } else {
+    if (machines_) {
       const InData<Matrix> flow = exponential(drift_in_data(piece) * t, units_);
       all.push_back({t, flow.all(), flow});
+    } else {
+      all.push_back({t, flow_at(piece, t), {}});
     }
     found = all.end() - 1;
   }
@@ -507,14 +487,9 @@ Vector LinearPhases::whole(const Vector& state, const Ball& theta) const {
 }
 
 InData<Matrix> LinearPhases::watched(Piece piece) const {
-  if (piece.kind != PhaseKind::stick || points_.empty()) {
-    return InData<Matrix>(Matrix((piece.kind == PhaseKind::stick ? r_ : speed()).transpose()));
-  }
-  std::vector<Matrix> rows;
-  for (const LinearPhases& point : points_) {
-    rows.emplace_back(point.r_.transpose());
-  }
-  return through(rows);
+  return piece.kind == PhaseKind::stick && machines_
+             ? together(row_of_r(machines_->numbers).transpose())
+             : InData<Matrix>(Matrix((piece.kind == PhaseKind::stick ? r_ : speed()).transpose()));
 }
 
 InData<Matrix> LinearPhases::whole(const InData<Matrix>& state, const InData<Ball>& theta) const {

@@ -14,6 +14,7 @@
 #include "core/ball.hpp"
 #include "model/friction_oscillator.hpp"
 #include "numeric/machines/exponential.hpp"
+#include "numeric/machines/numbers_in_data.hpp"
 #include "numeric/motion/motion.hpp"
 
 namespace stickslip::numeric::machines {
@@ -32,11 +33,10 @@ struct Piece {
 class LinearPhases {
  public:
   explicit LinearPhases(const model::FrictionOscillator<Ball>& oscillator);
-  // Of all machines whose numbers are linear functions of data s_1, s_2, …, between -1 and 1, by those at the
-  // points of in_data.hpp; on no smooth law.
-  explicit LinearPhases(const std::vector<model::FrictionOscillator<Ball>>& points);
-  // These; empty for one machine.
-  [[nodiscard]] const std::vector<LinearPhases>& points() const { return points_; }
+  // Of all machines whose numbers are these functions of data; on no smooth law.
+  explicit LinearPhases(const OscillatorInData& machines);
+  [[nodiscard]] bool is_over_data() const { return machines_.has_value(); }
+  [[nodiscard]] std::size_t data() const { return machines_ ? machines_->data : 0; }
 
   [[nodiscard]] const model::FrictionOscillator<Ball>& oscillator() const { return oscillator_; }
   [[nodiscard]] Eigen::Index masses() const { return n_; }
@@ -55,18 +55,11 @@ class LinearPhases {
   [[nodiscard]] Matrix flow(Piece piece, const Ball& h) const;
   // That times w.
   [[nodiscard]] Vector after(Piece piece, const Ball& h, const Vector& w) const;
-  // As functions of the data: a number of the oscillator, a linear function; and what ends the piece, r on a
-  // stick and x_j' else, as a row.
+  // As functions of the data: a number of the oscillator; and what ends the piece, r on a stick and x_j'
+  // else, as a row.
   template <class F>
   [[nodiscard]] InData<Ball> number(const F& of) const {
-    if (points_.empty()) {
-      return InData<Ball>(of(oscillator_));
-    }
-    std::vector<Ball> values;
-    for (const LinearPhases& point : points_) {
-      values.push_back(of(point.oscillator_));
-    }
-    return through(values);
+    return machines_ ? InData<Ball>(of(machines_->numbers)) : InData<Ball>(Ball(of(oscillator_)));
   }
   [[nodiscard]] InData<Matrix> watched(Piece piece) const;
   // For all machines: B, exp(B h), and w from (x, x') and theta.
@@ -128,8 +121,12 @@ class LinearPhases {
   [[nodiscard]] const Ball& norm(Piece piece) const;
   // The largest number in the units of w.
   [[nodiscard]] Ball size_of(const Vector& w) const;
-  // M B; row n + i without the mass i of x_i'' where it moves.
-  [[nodiscard]] Matrix forces(Piece piece) const;
+  // M B, of one machine or all; row n + i without the mass i of x_i'' where it moves.
+  template <class S>
+  [[nodiscard]] model::MatrixX<S> forces(const model::FrictionOscillator<S>& oscillator, Piece piece) const;
+  // r, as a column.
+  template <class S>
+  [[nodiscard]] model::VectorX<S> row_of_r(const model::FrictionOscillator<S>& oscillator) const;
   template <class M>
   [[nodiscard]] M moved(Piece piece, const Ball& h, M X) const;
   [[nodiscard]] Watch make_watch(Piece piece, bool reversed) const;
@@ -145,7 +142,7 @@ class LinearPhases {
   mutable std::map<Piece, std::vector<Exponential>> flows_;
   mutable std::map<Piece, std::vector<OverTime>> flows_over_times_;
   mutable std::map<std::pair<Piece, bool>, Watch> watches_;
-  std::vector<LinearPhases> points_;
+  std::optional<OscillatorInData> machines_;
 };
 
 }  // namespace stickslip::numeric::machines

@@ -35,7 +35,7 @@ std::vector<MachinePhase> phases_of(const Chain& chain, const Nodes& nodes,
 // Without a load the durations are results: a node is mapped to the next without its own, which adds nothing
 // but a multiplier 0 to those of the chain. Of all machines between two the chain's map is the narrower.
 std::optional<SquareMatrix> return_map(const Chain& chain, const ChainProof& proof) {
-  if (!chain.phases().oscillator().is_autonomous() || !chain.phases().points().empty()) {
+  if (!chain.phases().oscillator().is_autonomous() || chain.phases().is_over_data()) {
     return proof.return_map;
   }
   std::vector<Link> links;

@@ -78,61 +78,6 @@ Judged judged(const MachineOrbit& orbit) {
                                    : "stability"};
 }
 
-std::vector<Rational> numbers_of(const model::FrictionOscillator<Rational>& o) {
-  std::vector<Rational> numbers;
-  (void)model::mapped<Rational>(o, [&](const Rational& x) { return numbers.emplace_back(x); });
-  return numbers;
-}
-
-bool has_smooth_law(const model::FrictionOscillator<Rational>& o) {
-  return o.forward.smooth || o.backward.smooth;
-}
-
-// Whether the loads are the same but for their sizes.
-bool have_same_loads(const model::FrictionOscillator<Rational>& a,
-                     const model::FrictionOscillator<Rational>& b) {
-  return std::ranges::equal(a.loads, b.loads, [](const auto& one, const auto& other) {
-    return one.mass == other.mass && one.k == other.k;
-  });
-}
-
-// Whether friction at rest and the first one when sliding are equal, at both sides.
-std::pair<bool, bool> drops(const model::FrictionOscillator<Rational>& o) {
-  const auto drops = [](const model::FrictionLaw<Rational>& law) {
-    return law.sliding.front().force != law.at_rest;
-  };
-  return {drops(o.forward), drops(o.backward)};
-}
-
-// Why the numbers of the machine are not known to be linear functions, by those at the points of in_data.hpp.
-// A polynomial of the second degree that agrees with a linear function there is that function, and so is a
-// quotient of two linear functions. A load's multiple that is the same there is so at all, for then its
-// frequency is the only one that varies, or all do.
-std::string why_not_linear(const std::vector<Machine>& points) {
-  const auto& in_middle = points.front().oscillator;
-  if (has_smooth_law(in_middle)) {
-    return "a smooth law of friction";
-  }
-  std::vector<std::vector<Rational>> numbers;
-  bool is_linear = true;
-  for (const Machine& point : points) {
-    const auto& o = point.oscillator;
-    numbers.push_back(numbers_of(o));
-    is_linear = is_linear && numbers.back().size() == numbers.front().size() &&
-                have_same_loads(o, in_middle) && drops(o) == drops(in_middle);
-  }
-  for (std::size_t k = 1, first = 1; first < points.size() && is_linear; ++k, first += k) {
-    for (std::size_t l = 0; l < numbers[0].size(); ++l) {
-      const Rational &middle = numbers[0][l], &high = numbers[first][l];
-      is_linear = is_linear && high + numbers[first + k][l] == 2 * middle;
-      for (std::size_t j = 1; j < k; ++j) {
-        is_linear = is_linear && numbers[first + j][l] - high == numbers[j * (j + 1) / 2][l] - middle;
-      }
-    }
-  }
-  return is_linear ? "" : "the machine's numbers do not change linearly with the datum";
-}
-
 Rational volume_of(const Values& edges) {
   Rational volume = 1;
   for (const Rational& edge : edges) {
@@ -150,7 +95,7 @@ struct Whole {
   std::size_t of = none;  // the place of the whole of which it is a part
 };
 
-// A part of the box in coordinates in which the numbers are linear: the data, or their inverses.
+// A part of the box.
 struct Part {
   Values middle, half;
   std::vector<int> halvings;
@@ -161,26 +106,15 @@ struct Part {
 
   [[nodiscard]] Rational volume() const { return volume_of(half); }
   // s in it.
-  [[nodiscard]] Values inside(const Values& u) const {
-    Values s = u;
+  [[nodiscard]] Values inside(const Values& values) const {
+    Values s = values;
     for (std::size_t k = 0; k < s.size(); ++k) {
-      s[k] = (u[k] - middle[k]) / half[k];
+      s[k] = (values[k] - middle[k]) / half[k];
     }
     return s;
   }
-  [[nodiscard]] bool contains(const Values& u) const {
-    return std::ranges::all_of(inside(u), [](const Rational& s) { return abs(s) <= 1; });
-  }
-  // At the points of in_data.hpp.
-  [[nodiscard]] std::vector<Values> points() const {
-    std::vector<Values> all;
-    for (const std::vector<int>& s : points_of(middle.size())) {
-      Values& u = all.emplace_back(middle);
-      for (std::size_t k = 0; k < s.size(); ++k) {
-        u[k] += s[k] * half[k];
-      }
-    }
-    return all;
+  [[nodiscard]] bool contains(const Values& values) const {
+    return std::ranges::all_of(inside(values), [](const Rational& s) { return abs(s) <= 1; });
   }
   [[nodiscard]] std::pair<Part, Part> halved(std::size_t k) const {
     Part low = *this;
@@ -196,19 +130,23 @@ struct Part {
 class Search {
  public:
   Search(const DataBox& box, const std::vector<MotionAt>& motions, const Effort& effort)
-      : box_(box), effort_(effort), periods_(motions.front().guess.periods) {
+      : box_(box),
+        numbers_(box.at, box.low, box.high),
+        effort_(effort),
+        periods_(motions.front().guess.periods),
+        why_(numbers_.why_not()),
+        whole_(between(box.low, box.high)) {
     for (const MachineGuess::Event& event : motions.front().guess.events) {
       pieces_.push_back(event.begins);
     }
-    find_coordinates();
     if (!why_.empty()) {
       return;
     }
     known_ = parallel_map(motions.size(), [&](std::size_t i) {
       const MotionAt& motion = motions[i];
       const Machine machine = box_.at(motion.values);
-      return Known{inverted(motion.values), prove_chain({machine, pieces_, periods_},
-                                                        nodes_of(motion.guess, machine), bits, 8 * bits)};
+      return Known{motion.values, prove_chain({machine, pieces_, periods_}, nodes_of(motion.guess, machine),
+                                              bits, 8 * bits)};
     });
     for (const Known& one : known_) {
       why_ = one.proof.verdict.truth == Truth::proved ? why_ : one.proof.verdict.reason;
@@ -265,24 +203,11 @@ class Search {
     Found found;
   };
 
-  [[nodiscard]] Values inverted(Values values) const {
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      values[k] = inverse_[k] ? Rational(1 / values[k]) : values[k];
-    }
-    return values;
-  }
-  [[nodiscard]] Machine machine_at(const Values& u) const { return box_.at(inverted(u)); }
-  [[nodiscard]] std::vector<Machine> machines_at(const std::vector<Values>& points) const {
-    std::vector<Machine> machines;
-    std::ranges::transform(points, std::back_inserter(machines),
-                           [&](const Values& u) { return machine_at(u); });
-    return machines;
-  }
   [[nodiscard]] Part between(const Values& low, const Values& high) const {
     Part part{low, low, std::vector<int>(low.size(), 0)};
     for (std::size_t k = 0; k < low.size(); ++k) {
       part.middle[k] = (low[k] + high[k]) / 2;
-      part.half[k] = abs(Rational(high[k] - low[k])) / 2;
+      part.half[k] = (high[k] - low[k]) / 2;
     }
     return part;
   }
@@ -333,26 +258,6 @@ class Search {
     return least;
   }
 
-  // Each datum, or where that does not do its inverse.
-  void find_coordinates() {
-    inverse_.assign(box_.low.size(), false);
-    for (std::size_t k = 0; k < box_.low.size(); ++k) {
-      const auto is_linear_so = [&] {
-        Part part = between(inverted(box_.low), inverted(box_.high));
-        std::vector<Values> points(3, part.middle);
-        points[1][k] += part.half[k];
-        points[2][k] -= part.half[k];
-        return why_not_linear(machines_at(points)).empty();
-      };
-      if (!is_linear_so() && box_.low[k] * box_.high[k] > 0) {
-        inverse_[k] = true;
-        inverse_[k] = is_linear_so();
-      }
-    }
-    whole_ = between(inverted(box_.low), inverted(box_.high));
-    why_ = why_not_linear(machines_at(whole_.points()));
-  }
-
   // How wide a part with the motion in the middle may be; undecided when none is narrow enough.
   [[nodiscard]] Verdict find_width() {
     Part part = whole_;
@@ -373,8 +278,8 @@ class Search {
     return width_.empty() ? Verdict::undecided("no part is narrow enough") : Verdict::proved();
   }
 
-  [[nodiscard]] MachineQuestion question_at(const Values& u) const {
-    return {machine_at(u), pieces_, periods_};
+  [[nodiscard]] MachineQuestion question_at(const Values& values) const {
+    return {box_.at(values), pieces_, periods_};
   }
   // From a closed chain to the one there.
   [[nodiscard]] std::optional<Nodes> reach(const Values& from, const Nodes& nodes, const Values& to,
@@ -450,8 +355,8 @@ class Search {
       found.looked = false;
       return found;
     }
-    const std::vector<Machine> machines = machines_at(part.points());
-    const MachineQuestion question{machines.front(), pieces_, periods_, machines};
+    MachineQuestion question = question_at(part.middle);
+    question.machines = numbers_.over(part.middle, part.half);
     const Chain chain(question);
     const auto nodes = approximate_chains(chain, Chain(question_at(part.middle)), found.middle->nodes);
     if (!nodes) {
@@ -560,12 +465,8 @@ class Search {
       for (std::size_t k = 0; k < low.size(); ++k) {
         low[k] -= part.half[k];
         high[k] += part.half[k];
-        if (inverse_[k]) {
-          low[k].swap(high[k]);
-        }
       }
-      PartOfBox& one = parts.emplace_back(
-          PartOfBox{inverted(low), inverted(high), found.existence, found.motions, of_part[i]});
+      PartOfBox& one = parts.emplace_back(PartOfBox{low, high, found.existence, found.motions, of_part[i]});
       if (whole != none) {
         one.existence = Verdict::proved();
         one.motions = wholes_[whole].motions;
@@ -580,13 +481,13 @@ class Search {
   }
 
   const DataBox& box_;
+  NumbersInData numbers_;
   Effort effort_;
   long periods_;
   std::vector<Piece> pieces_;
-  std::vector<bool> inverse_;
   std::string why_;  // not
   Part whole_;
-  std::vector<Known> known_;  // s being coordinates of the box
+  std::vector<Known> known_;  // s being the values
   std::size_t given_ = 0;
   std::vector<Whole> wholes_;
   Values width_;  // half of that of the largest part that was proved
@@ -603,14 +504,6 @@ std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<Motion
   if (data == 0 || data > most_data) {
     throw DomainError("the data of a box", fmt::format("{} of them", data),
                       fmt::format("1 to {}", most_data));
-  }
-  // Numbers that are in order at all corners are so in between.
-  for (std::size_t corner = 0; corner < (std::size_t{1} << data); ++corner) {
-    Values values = box.low;
-    for (std::size_t k = 0; k < data; ++k) {
-      values[k] = (corner >> k) % 2 == 0 ? box.low[k] : box.high[k];
-    }
-    require_machine(box.at(values));
   }
   for (const MotionAt& motion : motions) {
     for (std::size_t k = 0; k < data; ++k) {

@@ -14,14 +14,13 @@
 
 #include "numeric/branches/state.hpp"
 #include "numeric/machines/machine_orbit.hpp"
+#include "numeric/machines/numbers_in_data.hpp"
 
 namespace stickslip::numeric::machines {
 
 // What the motion is, by what is proved of it, and whether that is all there is to ask.
 [[nodiscard]] branches::State state_of(const MachineOrbit& orbit);
 [[nodiscard]] bool is_decided(branches::State state);
-
-using Values = std::vector<Rational>;  // of the data
 
 // A motion of the machine at these.
 struct MotionAt {
@@ -30,9 +29,7 @@ struct MotionAt {
 };
 
 struct DataBox {
-  // The machine at values of the data. Assumes that each of its numbers is a polynomial of the second degree
-  // in them or a quotient of two linear functions, and that the loads' multiples change only with one
-  // frequency among several.
+  // The machine at values of the data, as NumbersInData assumes.
   std::function<Machine(const Values&)> at;
   Values low, high;  // low < high
 };
@@ -61,10 +58,9 @@ struct Effort {
 };
 
 // The parts make up the box. `motions`: of one family as far as it is known, at least one, all through the
-// same phases. Undecided where the numbers, or those at inverse values, are not linear functions of the data,
-// with smooth laws of friction, and where parts would be smaller than the effort allows. Throws as
-// require_machine does, for the machines at the corners of the box, and DomainError for more than eight data
-// and for a motion outside.
+// same phases. Undecided where the numbers are not known as functions of the data, with smooth laws of
+// friction, and where parts would be smaller than the effort allows. Throws as NumbersInData does, and
+// DomainError for a motion outside.
 [[nodiscard]] std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
                                                   const Effort& effort);
 

@@ -82,8 +82,8 @@ class Return {
     if (autonomous_) {
       first_ = (first_ + 1) % count;
       centre_ = orbit.phases[first_].state.unaryExpr([](const Ball& x) { return x.midpoint(); });
-      centre_(j_) =
-          speed_between(machine.oscillator, orbit.pieces[(first_ + count - 1) % count], orbit.pieces[first_]);
+      centre_(j_) = Ball(speed_between(machine.oscillator, orbit.pieces[(first_ + count - 1) % count],
+                                       orbit.pieces[first_]));
       proved_ = orbit.phases[first_].state;
       return;
     }

@@ -45,19 +45,6 @@ bool may_follow(const Piece& before, const Piece& after) {
          (after.kind != PhaseKind::stick && std::abs(before.number - after.number) == 1);
 }
 
-Ball speed_between(const model::FrictionOscillator<Rational>& exact, const Piece& before,
-                   const Piece& after) {
-  if (before.kind != after.kind) {
-    return Ball(exact.V);
-  }
-  if (!may_follow(before, after)) {
-    throw InternalError("two phases after each other that no event separates");
-  }
-  const int upper = std::max(before.number, after.number);
-  const Rational& from = exact.law(after.side()).sliding.at(static_cast<std::size_t>(upper)).from;
-  return Ball(Rational(exact.V - after.side() * from));
-}
-
 Vector event_between(const LinearPhases& phases, const Piece& piece, const Piece& after, const Ball& speed) {
   const model::FrictionOscillator<Ball>& o = phases.oscillator();
   if (piece.kind != PhaseKind::stick) {

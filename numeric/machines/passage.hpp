@@ -1,6 +1,9 @@
 // One phase of a machine in balls, from w where it begins: for all members, also of wide balls.
 #pragma once
 
+#include <algorithm>
+
+#include "core/error.hpp"
 #include "numeric/machines/linear_phases.hpp"
 #include "numeric/machines/machine.hpp"
 
@@ -23,8 +26,19 @@ struct Passage {
 [[nodiscard]] bool may_follow(const Piece& before, const Piece& after);
 // x_j' where `before` ends and `after` begins: the belt's velocity, or that at which the law's pieces meet.
 // Throws InternalError when no event lies between the two.
-[[nodiscard]] Ball speed_between(const model::FrictionOscillator<Rational>& exact, const Piece& before,
-                                 const Piece& after);
+template <class S>
+[[nodiscard]] S speed_between(const model::FrictionOscillator<S>& o, const Piece& before,
+                              const Piece& after) {
+  if (!may_follow(before, after)) {
+    throw InternalError("two phases after each other that no event separates");
+  }
+  if (before.kind != after.kind) {
+    return o.V;
+  }
+  const auto upper = static_cast<std::size_t>(std::max(before.number, after.number));
+  const S& from = o.law(after.side()).sliding.at(upper).from;
+  return after.side() > 0 ? S(o.V - from) : S(o.V + from);
+}
 // The row that times w is zero where `piece` ends and `after` begins.
 [[nodiscard]] Vector event_between(const LinearPhases& phases, const Piece& piece, const Piece& after,
                                    const Ball& speed);

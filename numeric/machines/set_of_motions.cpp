@@ -295,7 +295,7 @@ void fix(SetOfMotions& set, Eigen::Index row, const Ball& value) {
 }  // namespace
 
 Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about) const {
-  const Ball speed = speed_between(machine_.oscillator, set.piece, after_it);
+  const Ball speed(speed_between(machine_.oscillator, set.piece, after_it));
   const Vector event = event_between(phases_, set.piece, after_it, speed);
   const Matrix& drift = phases_.drift(set.piece);
   const Eigen::Index known = known_row(set);

@@ -421,15 +421,15 @@ TEST_CASE("commands about a machine in tables: orbits, a branch, a motion, pages
   for (const char * name : {"index.html", "box-1.svg", "box.json", "box.csv"}) {
     CHECK(std::filesystem::exists(directory / "box/" + name));
   }
-  // Across r = u_r while it sticks; where the numbers do not change linearly.
+  // Across r = u_r while it sticks; where the law's slopes change with a velocity.
   const Run across = run({"branch", "OTS", "--along", "friction.at_rest", "13.19..13.51", "--along",
                           "spring.1.c", "0.59..0.61", "--parts", "3"});
   CHECK(across.code == exit_undecided);
   CHECK(across.out.find("there, but what they are is undecided: stick.upper") != std::string::npos);
   const Run curved = run({"branch", "OTS", "--along", "friction.sliding.2.1", "0.049..0.051", "--along",
                           "spring.1.c", "0.59..0.61"});
-  CHECK(curved.code == exit_undecided);
-  CHECK(curved.out.find("undecided: the machine's numbers do not change") != std::string::npos);
+  CHECK(curved.code == exit_decided);
+  CHECK(curved.out.find("100 %       4      stable") != std::string::npos);
   CHECK(run({"attractors", "--starts", "5", "--out", directory / "attractors"}).code == exit_decided);
   CHECK(run({"orbits", "OTS", "--out", directory / "orbits"}).code == exit_decided);
   for (const char * name : {"attractors/index.html", "attractors/portrait-1.svg",
@@ -717,6 +717,11 @@ TEST_CASE(
   CHECK(O.code == exit_decided);
   CHECK(O.out.find("motions   1 at us = 0.05, V = 1\n") != std::string::npos);
   CHECK(O.out.find("Motion 1: proved, stable, |mu| = 0.9148") != std::string::npos);
+  // Load and mass go with p/eta and 1/eta.
+  const Run quotients = stickslip_program({"branch", "OTS", "--example", "O", "--along", "eta",
+                                           "3.999..4.001", "--along", "p", "0.0499..0.0501"});
+  CHECK(quotients.code == exit_decided);
+  CHECK(quotients.out.find("100 %") != std::string::npos);
   const Json again = Json::parse(stickslip_program(with(of_O, {"--json"})).out);
   CHECK(again.at("command").get<std::string>().find("--along us 0.04999..0.05001") != std::string::npos);
   check_refused(
