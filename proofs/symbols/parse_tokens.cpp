@@ -44,8 +44,10 @@ struct Plain {
       throw ParseError(line.substr(0, 60), 0, fmt::format("a line has at most {} characters", longest_line));
     }
     for (std::size_t i = 0; i < line.size();) {
-      const auto other =
-          std::ranges::find_if(typed, [&](const auto& one) { return line.substr(i).starts_with(one.first); });
+      const bool is_plain = (static_cast<unsigned char>(line[i]) & 0x80U) == 0;  // as none of those is
+      const auto other = is_plain ? typed.end() : std::ranges::find_if(typed, [&](const auto& one) {
+        return line.substr(i).starts_with(one.first);
+      });
       const std::string_view plain = other == typed.end() ? line.substr(i, 1) : other->second;
       text += plain;
       places.insert(places.end(), plain.size(), i);
