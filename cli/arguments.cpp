@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <type_traits>
+#include <utility>
 
 #include "cli/help.hpp"
 #include "core/error.hpp"
@@ -17,14 +20,20 @@ namespace {
 // What the texts of the help leave open: the paper's words, and what is taken by default.
 Wording wording_of(const PaperInHelp& paper) {
   using Attracted = AttractorsOptions;
-  const auto text = [](const auto& number) { return fmt::format("{}", number); };
-  return {{"examples", paper.examples},
-          {"family_names", paper.family_names},
-          {"families", paper.families},
+  const auto text = [](const auto& words) { return [words] { return fmt::format("{}", words); }; };
+  const auto first = [](const PaperInHelp::Made& words_of, char end) {
+    return [words_of, end] {
+      const std::string words = words_of();
+      return words.substr(0, words.find(end));
+    };
+  };
+  return {{"examples", text(paper.examples)},
+          {"family_names", text(paper.family_names)},
+          {"families", text(paper.families)},
           {"part", paper.part},
-          {"equation", paper.equation()},
+          {"equation", first(paper.part, '.')},
           {"places", paper.places},
-          {"first_place", paper.places.substr(0, paper.places.find(','))},
+          {"first_place", first(paper.places, ',')},
           {"digits", text(OrbitsOptions::default_digits)},
           {"most_digits", text(OrbitsOptions::most_digits)},
           {"digits_of_latex", text(LatexOptions::default_digits)},
@@ -360,12 +369,29 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   program.require_subcommand(0, 1);
   program.get_formatter()->column_width(16);
   const Wording wording = wording_of(paper);
-  for (const auto add : {add_audit, add_check, add_prove, add_certify, add_latex, add_orbits, add_branch,
-                         add_attractors, add_atlas, add_simulate}) {
-    add(program, request, wording);
+  std::vector<std::string> words(argv + 1, argv + argc);
+  using Add = void (*)(CLI::App&, Request&, const Wording&);
+  const std::array<std::pair<const char *, Add>, 10> commands{{{"audit", add_audit},
+                                                               {"check", add_check},
+                                                               {"prove", add_prove},
+                                                               {"certify", add_certify},
+                                                               {"latex", add_latex},
+                                                               {"orbits", add_orbits},
+                                                               {"branch", add_branch},
+                                                               {"attractors", add_attractors},
+                                                               {"atlas", add_atlas},
+                                                               {"simulate", add_simulate}}};
+  const auto is_meant = [&](const char * name) { return !words.empty() && words.front() == name; };
+  const bool one_is_meant =
+      std::ranges::any_of(commands, is_meant, [](const auto& one) { return one.first; });
+  for (const auto& [name, add] : commands) {
+    if (one_is_meant && !is_meant(name)) {
+      program.add_subcommand(name, help_of(name).words);
+    } else {
+      add(program, request, wording);
+    }
   }
   program.allow_extras();
-  std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() == "prove") {
     std::ranges::transform(words, words.begin(), as_statement);
   }
@@ -380,7 +406,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
     throw not_understood(program, error);
   }
   if (!directory_of_manual.empty()) {
-    return ManualWanted{directory_of_manual, manual(program, paper.completions)};
+    return ManualWanted{directory_of_manual, manual(program, paper.completions())};
   }
   require_command(program);
   return request;

@@ -166,17 +166,17 @@ using Request = std::variant<AuditOptions, CheckOptions, ProveOptions, CertifyOp
                              OrbitsOptions, BranchOptions, AttractorsOptions, AtlasOptions, SimulateOptions,
                              HelpWanted, VersionsWanted, ManualWanted>;
 
-// What the help says of the paper that the program is about, and of the families of orbits.
+// What the help says of the paper that the program is about, and of the families of orbits. What takes the
+// claims of the paper is made where it is shown.
 struct PaperInHelp {
-  std::string about;         // what the program does with it, in lines
-  std::string places;        // "sec2, sec3, A1"
-  std::string part;          // a statement that is part of an equation: "44.H"
-  std::string examples;      // "S, O or P"
-  std::string family_names;  // "symmetric, overshooting or nonsticking"
-  std::string families;      // what each is given and what it finds, in lines
-  Completions completions;
-
-  [[nodiscard]] std::string equation() const { return part.substr(0, part.find('.')); }
+  using Made = std::function<std::string()>;
+  std::string about;                           // what the program does with it, in lines
+  std::string examples;                        // "S, O or P"
+  std::string family_names;                    // "symmetric, overshooting or nonsticking"
+  std::string families;                        // what each is given and what it finds, in lines
+  Made places = [] { return std::string(); };  // "sec2, sec3, A1"
+  Made part = [] { return std::string(); };    // a statement that is part of an equation: "44.H"
+  std::function<Completions()> completions = [] { return Completions(); };
 };
 
 // What the arguments ask for; argv[0] is the program's name. Runs nothing, prints nothing and touches no

@@ -25,12 +25,12 @@ namespace stickslip::cli {
 using namespace numeric;
 using namespace numeric::attractors;
 using branches::BranchQuestion;
-using proofs::methods::Paper;
+using proofs::methods::Examples;
 using report::orbits::Units;
 
 // ---- orbits
 
-Asked<OrbitQuestion> asked_orbits(const OrbitsOptions& o, const Paper& paper) {
+Asked<OrbitQuestion> asked_orbits(const OrbitsOptions& o, const Examples& examples) {
   if (o.period || o.near) {
     throw UsageError(
         fmt::format("--period and --near are for words of phases, not for the family '{}'", o.family));
@@ -40,7 +40,7 @@ Asked<OrbitQuestion> asked_orbits(const OrbitsOptions& o, const Paper& paper) {
   leave_results_out(file, family);
   const int digits = digits_of(o.digits, file);
   Units units = units_of(o.si, file, o.json);
-  OrbitQuestion asked = question(paper, family, file, digits);
+  OrbitQuestion asked = question(examples, family, file, digits);
   asked.neighbourhood = o.neighbourhood;
   return {std::move(file), std::move(units), std::move(asked)};
 }
@@ -49,29 +49,29 @@ namespace {
 
 // The machine whose motions are asked for, its load cos(omega t).
 template <class Options>
-Asked<words::WordQuestion> asked_machine(const Options& o, const Paper& paper) {
+Asked<words::WordQuestion> asked_machine(const Options& o, const Examples& examples) {
   ParameterFile file = read_parameters(o, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
   const int digits = digits_of(o.digits, file);
   Units units = units_of(o.si, file, o.json);
-  words::WordQuestion asked = machine(paper, file, digits);
+  words::WordQuestion asked = machine(examples, file, digits);
   return {std::move(file), std::move(units), std::move(asked)};
 }
 
 }  // namespace
 
-Asked<words::WordQuestion> asked_pure_word(const OrbitsOptions& o, const Paper& paper) {
+Asked<words::WordQuestion> asked_pure_word(const OrbitsOptions& o, const Examples& examples) {
   if (o.period || o.near || o.parameters.contains("phi")) {
     throw UsageError(fmt::format(
         "--period, --near and --phi are for words with events: the motions {} have one phase for ever",
         o.family));
   }
-  Asked<words::WordQuestion> asked = asked_machine(o, paper);
+  Asked<words::WordQuestion> asked = asked_machine(o, examples);
   words::require_machine_domain(asked.question);
   return asked;
 }
 
-Asked<WordSearch> asked_word(const OrbitsOptions& o, const Paper& paper) {
+Asked<WordSearch> asked_word(const OrbitsOptions& o, const Examples& examples) {
   const words::Word word = words::Word::parse(o.family);
   OrbitsOptions of_machine = o;
   const auto phase = of_machine.parameters.extract("phi");
@@ -79,7 +79,7 @@ Asked<WordSearch> asked_word(const OrbitsOptions& o, const Paper& paper) {
     throw UsageError(
         "phi is not given for a word without --near: it is the load's phase at the start that --near gives");
   }
-  Asked<words::WordQuestion> given = asked_machine(of_machine, paper);
+  Asked<words::WordQuestion> given = asked_machine(of_machine, examples);
   const words::WordQuestion& q = given.question;
   WordSearch search{.machine = q,
                     .word = word,
@@ -203,7 +203,7 @@ Asked<BranchQuestion> along_machine(ParameterFile file, BranchQuestion q, const 
   return {std::move(file), {}, std::move(q)};
 }
 
-Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Paper& paper) {
+Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Examples& examples) {
   const Family& family = family_named(o.family);
   if (o.period) {
     throw UsageError(fmt::format("--period is for words of phases, not for the family '{}'", o.family));
@@ -221,12 +221,12 @@ Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Paper
   ParameterFile at_first = file;
   at_first.typed[along.parameter] = to_string(along.from);
   BranchQuestion asked;
-  asked.orbits = question(paper, family, at_first, OrbitsOptions::default_digits);
+  asked.orbits = question(examples, family, at_first, OrbitsOptions::default_digits);
   asked.at = o.at;
   return along_machine(std::move(file), std::move(asked), along);
 }
 
-Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Paper& paper) {
+Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Examples& examples) {
   const words::Word word = words::Word::parse(o.family);
   ParameterFile file = file_of(o, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
@@ -234,7 +234,7 @@ Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Paper& 
   const Rational value = value_at(along, o.at);
   ParameterFile there = file;
   there.typed[along.parameter] = to_string(value);
-  const words::WordQuestion known_at = machine(paper, there, OrbitsOptions::default_digits);
+  const words::WordQuestion known_at = machine(examples, there, OrbitsOptions::default_digits);
   WordSearch search{known_at, word, o.period.value_or(1), {}, o.all || o.orbit};
   if (o.near) {
     search.near = in_data("near", *o.near, units_of(o.si, file, false));
@@ -262,16 +262,17 @@ Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Paper& 
 
 }  // namespace
 
-Asked<words::WordQuestion> asked_box(const BranchOptions& o, const Paper& paper) {
+Asked<words::WordQuestion> asked_box(const BranchOptions& o, const Examples& examples) {
   ParameterFile file = read_parameters(o, FrictionAtRest::needed);
   leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
   Units units = units_of(o.si, file, false);
-  words::WordQuestion asked = machine(paper, file, OrbitsOptions::default_digits);
+  words::WordQuestion asked = machine(examples, file, OrbitsOptions::default_digits);
   return {std::move(file), std::move(units), std::move(asked)};
 }
 
-Asked<BranchQuestion> asked_branch(const BranchOptions& o, const Paper& paper) {
-  return words::looks_like_word(o.family) ? asked_branch_of_word(o, paper) : asked_branch_of_family(o, paper);
+Asked<BranchQuestion> asked_branch(const BranchOptions& o, const Examples& examples) {
+  return words::looks_like_word(o.family) ? asked_branch_of_word(o, examples)
+                                          : asked_branch_of_family(o, examples);
 }
 
 // ---- attractors
@@ -326,12 +327,12 @@ AttractorQuestion about(const words::WordQuestion& machine, const Attracted& o, 
 }
 
 // The machine from which those of a diagram differ in a value, and those of a picture in their starts.
-Asked<AttractorQuestion> asked_machines(const Attracted& o, const Paper& paper) {
+Asked<AttractorQuestion> asked_machines(const Attracted& o, const Examples& examples) {
   require_sense(o);
   ParameterFile file = read_parameters(o, FrictionAtRest::needed);
   Units units = units_of(o.si, file, o.json);
-  AttractorQuestion asked = about(machine(paper, file, o.digits.value_or(OrbitsOptions::default_digits)), o,
-                                  Attracted::default_starts_at_value);
+  AttractorQuestion asked = about(machine(examples, file, o.digits.value_or(OrbitsOptions::default_digits)),
+                                  o, Attracted::default_starts_at_value);
   return {std::move(file), std::move(units), std::move(asked)};
 }
 
@@ -366,14 +367,14 @@ std::function<DataTaken(const Rational&)> machine_along(const Attracted& o, cons
 
 }  // namespace
 
-Asked<AttractorQuestion> asked_attractors(const Attracted& o, const Paper& paper) {
+Asked<AttractorQuestion> asked_attractors(const Attracted& o, const Examples& examples) {
   require_sense(o);
-  Asked<words::WordQuestion> given = asked_machine(o, paper);
+  Asked<words::WordQuestion> given = asked_machine(o, examples);
   return {std::move(given.file), std::move(given.units), about(given.question, o, Attracted::default_starts)};
 }
 
-Asked<DiagramQuestion> asked_diagram(const Attracted& o, const Paper& paper) {
-  Asked<AttractorQuestion> given = asked_machines(o, paper);
+Asked<DiagramQuestion> asked_diagram(const Attracted& o, const Examples& examples) {
+  Asked<AttractorQuestion> given = asked_machines(o, examples);
   auto taken = machine_along(o, given.file);
   const auto [name, range] = *with_along({}, o.along).begin();
   const auto [from, to] = interval(name, range);
@@ -382,8 +383,8 @@ Asked<DiagramQuestion> asked_diagram(const Attracted& o, const Paper& paper) {
   return {std::move(given.file), std::move(given.units), std::move(asked)};
 }
 
-Asked<BasinsQuestion> asked_basins(const Attracted& o, const Paper& paper) {
-  Asked<AttractorQuestion> given = asked_machines(o, paper);
+Asked<BasinsQuestion> asked_basins(const Attracted& o, const Examples& examples) {
+  Asked<AttractorQuestion> given = asked_machines(o, examples);
   BasinsQuestion asked{given.question, plane("plane", o.plane.value(), 2), {}, {}};
   const long pixels = pixels_of(o);
   asked.pixels = {pixels, pixels};
@@ -411,7 +412,7 @@ TypedParameters in_the_middle(TypedParameters machine) {
 
 }  // namespace
 
-Asked<atlas::Question> asked_atlas(const AtlasOptions& o, const Paper& paper) {
+Asked<atlas::Question> asked_atlas(const AtlasOptions& o, const Examples& examples) {
   if (o.family.empty()) {
     throw UsageError("a family of orbits is missing: " + numeric::families::names_of_families());
   }
@@ -422,7 +423,7 @@ Asked<atlas::Question> asked_atlas(const AtlasOptions& o, const Paper& paper) {
   ParameterFile file = read_parameters(machine, FrictionAtRest::optional, in_the_middle);
   (void)units_of(o.si, file, false);
   leave_results_out(file, *q.family);
-  TypedParameters given = given_parameters(paper, file);
+  TypedParameters given = given_parameters(examples, file);
   for (const auto& [name, why] :
        {std::pair("phi", q.family->why_no_phi), std::pair("ur", q.family->why_no_ur)}) {
     if (file.typed.contains(name) && !why.empty()) {
@@ -465,11 +466,11 @@ double MotionAsked::period() const {
   return 2 * std::acos(-1.0) / from.start.data.omega;
 }
 
-Asked<MotionAsked> asked_motion(const SimulateOptions& o, const Paper& paper) {
+Asked<MotionAsked> asked_motion(const SimulateOptions& o, const Examples& examples) {
   ParameterFile file =
       read_parameters(o, o.orbit.empty() ? FrictionAtRest::needed : FrictionAtRest::optional);
   Units units = units_of(o.si, file, o.json);
-  MotionAsked asked{simulation_start(o, file, paper, units)};
+  MotionAsked asked{simulation_start(o, file, examples, units)};
   if (o.periods && o.duration) {
     throw UsageError("--periods and --time do not go together");
   }

@@ -32,19 +32,19 @@ template <class Options>
 
 // Of a family; of a word with events; of a word of one phase.
 [[nodiscard]] Asked<numeric::OrbitQuestion> asked_orbits(const OrbitsOptions& options,
-                                                         const proofs::methods::Paper& paper);
+                                                         const proofs::methods::Examples& examples);
 [[nodiscard]] Asked<numeric::attractors::WordSearch> asked_word(const OrbitsOptions& options,
-                                                                const proofs::methods::Paper& paper);
+                                                                const proofs::methods::Examples& examples);
 [[nodiscard]] Asked<numeric::words::WordQuestion> asked_pure_word(const OrbitsOptions& options,
-                                                                  const proofs::methods::Paper& paper);
+                                                                  const proofs::methods::Examples& examples);
 
 // Of a family or a word. The branches of a word begin with orbits that are searched for. Along a value of a
 // machine in SI units the question has the machine, and all is in SI units.
-[[nodiscard]] Asked<numeric::branches::BranchQuestion> asked_branch(const BranchOptions& options,
-                                                                    const proofs::methods::Paper& paper);
+[[nodiscard]] Asked<numeric::branches::BranchQuestion> asked_branch(
+    const BranchOptions& options, const proofs::methods::Examples& examples);
 // The machine in the middle of a box, of which several data vary.
 [[nodiscard]] Asked<numeric::words::WordQuestion> asked_box(const BranchOptions& options,
-                                                            const proofs::methods::Paper& paper);
+                                                            const proofs::methods::Examples& examples);
 
 // Whether the options of --along and --plane go together, and with neither of them; what these ask by
 // default. Throw UsageError.
@@ -54,15 +54,15 @@ void require_sense(const AttractorsOptions& options);
 
 // Without --along and --plane; with one of them.
 [[nodiscard]] Asked<numeric::attractors::AttractorQuestion> asked_attractors(
-    const AttractorsOptions& options, const proofs::methods::Paper& paper);
-[[nodiscard]] Asked<numeric::attractors::DiagramQuestion> asked_diagram(const AttractorsOptions& options,
-                                                                        const proofs::methods::Paper& paper);
-[[nodiscard]] Asked<numeric::attractors::BasinsQuestion> asked_basins(const AttractorsOptions& options,
-                                                                      const proofs::methods::Paper& paper);
+    const AttractorsOptions& options, const proofs::methods::Examples& examples);
+[[nodiscard]] Asked<numeric::attractors::DiagramQuestion> asked_diagram(
+    const AttractorsOptions& options, const proofs::methods::Examples& examples);
+[[nodiscard]] Asked<numeric::attractors::BasinsQuestion> asked_basins(
+    const AttractorsOptions& options, const proofs::methods::Examples& examples);
 
 // Of a machine in SI units, whose values may be ranges, the question is in these.
 [[nodiscard]] Asked<numeric::atlas::Question> asked_atlas(const AtlasOptions& options,
-                                                          const proofs::methods::Paper& paper);
+                                                          const proofs::methods::Examples& examples);
 
 // A motion: how many periods of the load, and the time between samples, in the units of the data.
 struct MotionAsked {
@@ -73,6 +73,6 @@ struct MotionAsked {
 };
 // Searches for the orbit where it starts at one.
 [[nodiscard]] Asked<MotionAsked> asked_motion(const SimulateOptions& options,
-                                              const proofs::methods::Paper& paper);
+                                              const proofs::methods::Examples& examples);
 
 }  // namespace stickslip::cli

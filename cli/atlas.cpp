@@ -34,8 +34,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Question asked_of(const AtlasOptions& o, const proofs::methods::Paper& paper) {
-  Asked<Question> asked = asked_atlas(o, paper);
+Question asked_of(const AtlasOptions& o, const proofs::methods::Examples& examples) {
+  Asked<Question> asked = asked_atlas(o, examples);
   tell_left_out(asked.file);
   return std::move(asked.question);
 }
@@ -293,14 +293,14 @@ ExitCode make(const AtlasOptions& o, const Question& q, Cluster& cluster) {
 
 }  // namespace
 
-ExitCode run(const AtlasOptions& o, const proofs::methods::Paper& paper) {
+ExitCode run(const AtlasOptions& o, const proofs::methods::Examples& examples) {
   if (!o.verify.empty()) {
     return verify(o);
   }
   if (o.sample) {
     throw UsageError("--sample is for --verify");
   }
-  const Question here = asked_of(o, paper);
+  const Question here = asked_of(o, examples);
   Cluster cluster;
   const Jobs limit = jobs(o.jobs);
   try {

@@ -44,14 +44,14 @@ ExitCode answer(const AttractorsOptions& o, const Asked<Question>& asked, const 
 
 }  // namespace
 
-ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& paper) {
+ExitCode run(const AttractorsOptions& options, const proofs::methods::Examples& examples) {
   if (const auto done = run_in_tables(options)) {
     return *done;
   }
   if (!options.along.empty() || options.plane) {
-    return run_diagram(options, paper);
+    return run_diagram(options, examples);
   }
-  const auto asked = asked_attractors(options, paper);
+  const auto asked = asked_attractors(options, examples);
   const AttractorQuestion& question = asked.question;
   const Jobs limit = jobs(options.jobs);
   require_outputs(options);
@@ -86,9 +86,9 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& pap
   return decided ? exit_decided : exit_undecided;
 }
 
-ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Paper& paper) {
+ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Examples& examples) {
   if (o.plane && (o.neighbourhood || o.window)) {
-    const auto asked = asked_basins(as_text(o), paper);
+    const auto asked = asked_basins(as_text(o), examples);
     AttractorsOptions rest = o;
     rest.example.clear();
     rest.parameters.clear();
@@ -97,8 +97,8 @@ ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Paper& p
                                "--plane with --neighbourhood or --window"),
                      rest);
   }
-  return o.plane ? answer(o, asked_basins(o, paper), basins_of)
-                 : answer(o, asked_diagram(o, paper), diagram_of);
+  return o.plane ? answer(o, asked_basins(o, examples), basins_of)
+                 : answer(o, asked_diagram(o, examples), diagram_of);
 }
 
 }  // namespace stickslip::cli

@@ -29,7 +29,7 @@ bool is_decided(const BranchList& list) {
 
 }  // namespace
 
-ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
+ExitCode run(const BranchOptions& o, const proofs::methods::Examples& examples) {
   if (o.family.empty()) {
     throw UsageError("a family of orbits is missing: " + families::names_of_families());
   }
@@ -47,7 +47,7 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
       throw UsageError(
           "several --along are for a word of phases such as OTS; of a family stickslip atlas maps a box");
     }
-    const auto asked = asked_box(o, paper);
+    const auto asked = asked_box(o, examples);
     BranchOptions rest = o;
     rest.example.clear();
     rest.parameters.clear();
@@ -62,7 +62,7 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Paper& paper) {
   const auto [file, list] = [&] {
     const Interruptible scope;
     Progress progress("following branches ...");
-    auto asked = asked_branch(o, paper);
+    auto asked = asked_branch(o, examples);
     asked.question.found = [&, count = 0](const Branch& branch) mutable {
       progress.show(fmt::format("following branches: {} so far, the last from {} to {} ...", ++count,
                                 to_string(branch.first.at, 6), to_string(branch.last.at, 6)));

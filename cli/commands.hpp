@@ -15,9 +15,9 @@ namespace stickslip::cli {
 [[nodiscard]] ExitCode run(const ProveOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const CertifyOptions& options, const proofs::methods::Paper& paper);
 [[nodiscard]] ExitCode run(const LatexOptions& options, const proofs::methods::Paper& paper);
-[[nodiscard]] ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper);
-[[nodiscard]] ExitCode run(const BranchOptions& options, const proofs::methods::Paper& paper);
-[[nodiscard]] ExitCode run(const AttractorsOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] ExitCode run(const OrbitsOptions& options, const proofs::methods::Examples& examples);
+[[nodiscard]] ExitCode run(const BranchOptions& options, const proofs::methods::Examples& examples);
+[[nodiscard]] ExitCode run(const AttractorsOptions& options, const proofs::methods::Examples& examples);
 // Of a machine in tables (cli/machine_tables.hpp); nothing if the file is none.
 [[nodiscard]] std::optional<ExitCode> run_in_tables(const AttractorsOptions& options);
 [[nodiscard]] std::optional<ExitCode> run_in_tables(const OrbitsOptions& options);
@@ -29,10 +29,11 @@ struct GivenInTables;
 [[nodiscard]] ExitCode run_box(const GivenInTables& given, const BranchOptions& options);
 [[nodiscard]] ExitCode run_set(const GivenInTables& given, const SimulateOptions& options);
 // Of `attractors` with --along or --plane.
-[[nodiscard]] ExitCode run_diagram(const AttractorsOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] ExitCode run_diagram(const AttractorsOptions& options,
+                                   const proofs::methods::Examples& examples);
 // Whether existence, all conditions and, where they hold, stability are decided.
 [[nodiscard]] bool is_decided(const numeric::words::WordOrbit& orbit);
-[[nodiscard]] ExitCode run(const AtlasOptions& options, const proofs::methods::Paper& paper);
-[[nodiscard]] ExitCode run(const SimulateOptions& options, const proofs::methods::Paper& paper);
+[[nodiscard]] ExitCode run(const AtlasOptions& options, const proofs::methods::Examples& examples);
+[[nodiscard]] ExitCode run(const SimulateOptions& options, const proofs::methods::Examples& examples);
 
 }  // namespace stickslip::cli

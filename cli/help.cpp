@@ -16,11 +16,12 @@ namespace stickslip::cli {
 namespace {
 
 std::string worded(std::string text, const Wording& wording) {
-  for (const auto& [name, words] : wording) {
+  for (const auto& [name, words_of] : wording) {
     const std::string place = "{" + name + "}";
-    for (std::size_t at = text.find(place); at != std::string::npos;
-         at = text.find(place, at + words.size())) {
+    for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at)) {
+      const std::string words = words_of();
       text.replace(at, place.size(), words);
+      at += words.size();
     }
   }
   return text;
@@ -165,8 +166,9 @@ std::string completion(const CLI::App& program, const Completions& completions) 
     names += command->get_name() + " ";
     cases += line("1:" + command->get_name(), words_of(*command));
   }
+  const std::string commands = line("0:*", names + words_of(program)) + cases;
   return worded(help_texts().at("completion.bash"),
-                {{"commands", line("0:*", names + words_of(program)) + cases}, {"values", values}});
+                {{"commands", [&] { return commands; }}, {"values", [&] { return values; }}});
 }
 
 }  // namespace

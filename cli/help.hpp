@@ -13,6 +13,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@ class App;
 namespace stickslip::cli {
 
 // What stands in the texts for names in braces, {digits}.
-using Wording = std::map<std::string, std::string>;
+using Wording = std::map<std::string, std::function<std::string()>>;
 
 struct CommandHelp {
   struct Entry {

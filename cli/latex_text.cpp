@@ -111,7 +111,8 @@ std::function<std::string(const symbolic::objects::Object&)> values(
   if (!gives_parameters(options)) {
     return [](const symbolic::objects::Object&) { return std::string(); };
   }
-  const TypedParameters typed = given_parameters(paper, read_parameters(options, FrictionAtRest::optional));
+  const TypedParameters typed =
+      given_parameters(paper.examples, read_parameters(options, FrictionAtRest::optional));
   report::orbits::GivenParameters given;
   for (const auto& [name, text] : typed) {
     given[name] = exact_number(name, text);
@@ -201,7 +202,7 @@ LatexText orbit(const proofs::methods::Paper& paper, const LatexOptions& options
   const int digits = digits_of(options);
   ParameterFile file = read_parameters(options, FrictionAtRest::optional);
   const NamedOrbit named =
-      named_orbit(options.orbit, paper, file, std::max(digits + 2, OrbitsOptions::default_digits));
+      named_orbit(options.orbit, paper.examples, file, std::max(digits + 2, OrbitsOptions::default_digits));
   return {report::orbits::orbit_latex(named.list, named.index, digits), file.left_out};
 }
 

@@ -17,6 +17,7 @@
 #include "cli/output.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/orbits.hpp"
+#include "proofs/pascal2012/examples.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/parse.hpp"
 #include "proofs/text/claims_file.hpp"
@@ -86,7 +87,7 @@ Completions completions() {
   for (const Section& section : paper().sections) {
     found["ID"].push_back(section.id);
   }
-  for (const Example& example : paper().examples) {
+  for (const Example& example : proofs::pascal2012::printed_examples()) {
     found["--example"].push_back(example.name);
   }
   for (const Result& result : paper().results) {
@@ -96,35 +97,37 @@ Completions completions() {
 }
 
 PaperInHelp in_help() {
-  const Bibliography& source = paper().bibliography;
+  const Bibliography& source = proofs::pascal2012::bibliography();
   const std::string about = fmt::format(
       "Decides, statement by statement, what is true in {}, {}, {}. Identities are proved for all "
       "parameters; "
       "printed numbers are compared with rigorous enclosures.",
       source.author, source.title, source.journal);
-  std::vector<std::string> places;
-  for (const Section& section : paper().sections) {
-    places.push_back(section.id);
-  }
   return {fmt::format("{}", fmt::join(report::tools::wrapped(about, width_of_help), "\n")),
-          fmt::format("{}", fmt::join(places, ", ")),
-          id_of_a_part(paper().claims),
-          names_of(paper().examples),
+          names_of(proofs::pascal2012::printed_examples()),
           numeric::families::names_of_families(),
           families(),
-          completions()};
+          [] {
+            std::vector<std::string> places;
+            for (const Section& section : paper().sections) {
+              places.push_back(section.id);
+            }
+            return fmt::format("{}", fmt::join(places, ", "));
+          },
+          [] { return id_of_a_part(paper().claims); },
+          completions};
 }
 
-ExitCode run(const HelpWanted& help, const Paper& /*paper*/) {
+ExitCode run(const HelpWanted& help, const Examples& /*examples*/) {
   print(help.text);
   return exit_decided;
 }
-ExitCode run(const VersionsWanted& /*versions*/, const Paper& /*paper*/) {
+ExitCode run(const VersionsWanted& /*versions*/, const Examples& /*examples*/) {
   print(versions());
   return exit_decided;
 }
 
-ExitCode run(const ManualWanted& manual, const Paper& /*paper*/) {
+ExitCode run(const ManualWanted& manual, const Examples& /*examples*/) {
   std::vector<report::tools::File> files = report::schemas();
   for (const ManualFile& file : manual.files) {
     files.push_back({file.name, file.text});
@@ -140,6 +143,15 @@ ExitCode answer_about_file(const auto& asked) {
   return run(asked, own);
 }
 
+// What is about motions takes the paper's examples alone.
+ExitCode answer_about_paper(const auto& asked) {
+  if constexpr (requires { run(asked, proofs::pascal2012::printed_examples()); }) {
+    return run(asked, proofs::pascal2012::printed_examples());
+  } else {
+    return run(asked, paper());
+  }
+}
+
 ExitCode answer(const Request& request) {
   const auto answer_to = [](const auto& asked) {
     if constexpr (requires { asked.claims; }) {
@@ -149,12 +161,12 @@ ExitCode answer(const Request& request) {
     }
     if constexpr (requires { asked.file; }) {
       try {
-        return run(asked, paper());
+        return answer_about_paper(asked);
       } catch (const DomainError& error) {
         throw in_keys_of(asked.file, error);
       }
     } else {
-      return run(asked, paper());
+      return answer_about_paper(asked);
     }
   };
   return std::visit(answer_to, request);

@@ -18,7 +18,7 @@ namespace stickslip::cli {
 using namespace numeric;
 using namespace numeric::motion;
 using proofs::methods::Example;
-using proofs::methods::Paper;
+using proofs::methods::Examples;
 
 namespace {
 
@@ -86,10 +86,10 @@ void require_given(const TypedParameters& parameters, const std::vector<std::str
   }
 }
 
-TypedParameters given_parameters(const Paper& paper, const ParameterFile& file) {
+TypedParameters given_parameters(const Examples& examples, const ParameterFile& file) {
   TypedParameters all;
   if (!file.example.empty()) {
-    const Example& known = example_named(paper.examples, file.example);
+    const Example& known = example_named(examples, file.example);
     all = parameters_of(known, *known.family);
   }
   replace(all, file.parameters);
@@ -97,10 +97,11 @@ TypedParameters given_parameters(const Paper& paper, const ParameterFile& file) 
   return all;
 }
 
-OrbitQuestion question(const Paper& paper, const Family& family, const ParameterFile& file, int digits) {
+OrbitQuestion question(const Examples& examples, const Family& family, const ParameterFile& file,
+                       int digits) {
   TypedParameters all;
   if (!file.example.empty()) {
-    all = parameters_of(example_named(paper.examples, file.example), family);
+    all = parameters_of(example_named(examples, file.example), family);
   }
   replace(all, file.parameters);
   replace(all, file.typed);
@@ -109,7 +110,7 @@ OrbitQuestion question(const Paper& paper, const Family& family, const Parameter
           optional_range(all, "phi"), optional_range(all, "ur"), digits};
 }
 
-words::WordQuestion machine(const Paper& paper, const ParameterFile& file, int digits) {
+words::WordQuestion machine(const Examples& examples, const ParameterFile& file, int digits) {
   constexpr int digits_of_ur = 17;
   TypedParameters given = file.parameters;
   replace(given, file.typed);
@@ -120,7 +121,7 @@ words::WordQuestion machine(const Paper& paper, const ParameterFile& file, int d
   }
   TypedParameters all;
   if (!file.example.empty()) {
-    const Example& known = example_named(paper.examples, file.example);
+    const Example& known = example_named(examples, file.example);
     all = parameters_of(known, *known.family);
     if (!all.contains("ur") && !given.contains("ur")) {
       all["ur"] = to_text(printed_orbit(known).ur(), digits_of_ur).mid;
@@ -134,8 +135,8 @@ words::WordQuestion machine(const Paper& paper, const ParameterFile& file, int d
   return {model::data_by_name(exact), exact("ur"), digits};
 }
 
-NamedOrbit named_orbit(const std::string& name, const proofs::methods::Paper& paper, ParameterFile& file,
-                       int digits) {
+NamedOrbit named_orbit(const std::string& name, const proofs::methods::Examples& examples,
+                       ParameterFile& file, int digits) {
   const std::size_t colon = name.find(':');
   if (colon == std::string::npos || colon + 1 == name.size()) {
     throw UsageError(
@@ -145,7 +146,7 @@ NamedOrbit named_orbit(const std::string& name, const proofs::methods::Paper& pa
   const auto number =
       static_cast<std::size_t>(whole_number("orbit", name.substr(colon + 1), OrbitsOptions::most_orbits));
   leave_results_out(file, family);
-  const OrbitQuestion asked = question(paper, family, file, digits);
+  const OrbitQuestion asked = question(examples, family, file, digits);
   if (asks_for_box(asked)) {
     throw UsageError(fmt::format("the orbit {} needs numbers, but a parameter is an interval", name));
   }

@@ -16,19 +16,19 @@ void require_given(const TypedParameters& parameters, const std::vector<std::str
 
 // What is typed, in the file and of the example, none of which need be all that a question needs. Throws
 // UsageError for an unknown example.
-[[nodiscard]] TypedParameters given_parameters(const proofs::methods::Paper& paper,
+[[nodiscard]] TypedParameters given_parameters(const proofs::methods::Examples& examples,
                                                const ParameterFile& file);
 
 // The question about the family. The example's phi or ur counts only for its own family and when neither is
 // given otherwise. Throws UsageError for a missing or malformed parameter.
-[[nodiscard]] numeric::OrbitQuestion question(const proofs::methods::Paper& paper,
+[[nodiscard]] numeric::OrbitQuestion question(const proofs::methods::Examples& examples,
                                               const numeric::Family& family, const ParameterFile& file,
                                               int digits);
 
 // The machine whose motions are asked for: its data, with ur in any case, that of the example's own orbit to
 // 17 digits when none is given, and without phi, for the load is cos(omega t). Throws likewise, also for
 // intervals.
-[[nodiscard]] numeric::words::WordQuestion machine(const proofs::methods::Paper& paper,
+[[nodiscard]] numeric::words::WordQuestion machine(const proofs::methods::Examples& examples,
                                                    const ParameterFile& file, int digits);
 
 // An orbit as the user names it: FAMILY:K.
@@ -43,7 +43,7 @@ struct NamedOrbit {
 // Orbit K, from 1, of those that `stickslip orbits FAMILY` lists at the parameters, of which the family's
 // results are left out. Searches for the orbits. Throws UsageError for what is no such name, for a missing
 // parameter, for an interval and for an orbit that there is not, DomainError as list_orbits does.
-[[nodiscard]] NamedOrbit named_orbit(const std::string& name, const proofs::methods::Paper& paper,
+[[nodiscard]] NamedOrbit named_orbit(const std::string& name, const proofs::methods::Examples& examples,
                                      ParameterFile& file, int digits);
 
 }  // namespace stickslip::cli

@@ -59,14 +59,15 @@ void tell_list(const OrbitsOptions& options, const Asked<Question>& asked, const
 }
 
 // Whether motions of one phase are possible, which has no events that a search could go through.
-ExitCode run_pure(motion::PhaseKind kind, const OrbitsOptions& options, const proofs::methods::Paper& paper) {
+ExitCode run_pure(motion::PhaseKind kind, const OrbitsOptions& options,
+                  const proofs::methods::Examples& examples) {
   if (options.neighbourhood || options.plot || options.out) {
     throw UsageError(fmt::format("--{} is for periodic orbits, not for motions of one phase",
                                  options.neighbourhood ? "neighbourhood"
                                  : options.plot        ? "plot"
                                                        : "out"));
   }
-  const auto [file, units, machine] = asked_pure_word(options, paper);
+  const auto [file, units, machine] = asked_pure_word(options, examples);
   const Jobs limit = jobs(options.jobs);
   const report::orbits::PureWord word{machine, kind};
   print_result(word, file, options.json, units);
@@ -134,8 +135,8 @@ void certify(const OrbitList& list, const std::string& directory) {
   }
 }
 
-ExitCode run_family(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
-  const auto asked = asked_orbits(options, paper);
+ExitCode run_family(const OrbitsOptions& options, const proofs::methods::Examples& examples) {
+  const auto asked = asked_orbits(options, examples);
   const Jobs limit = jobs(options.jobs);
   require_outputs(options);
   if (!options.certify.empty()) {
@@ -156,14 +157,14 @@ ExitCode run_family(const OrbitsOptions& options, const proofs::methods::Paper& 
   return all_decided(list) ? exit_decided : exit_undecided;
 }
 
-ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
+ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Examples& examples) {
   if (!options.certify.empty()) {
     throw UsageError("--certify is for a family, not for a word of phases");
   }
   if (const auto kind = words::kind_of(options.family)) {
-    return run_pure(*kind, options, paper);
+    return run_pure(*kind, options, examples);
   }
-  const auto asked = asked_word(options, paper);
+  const auto asked = asked_word(options, examples);
   const Jobs limit = jobs(options.jobs);
   require_outputs(options);
   const attractors::WordOrbits list = found(options, [&] { return find_word_orbits(asked.question); });
@@ -177,7 +178,7 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Paper& pa
 
 }  // namespace
 
-ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) {
+ExitCode run(const OrbitsOptions& options, const proofs::methods::Examples& examples) {
   if (options.family.empty()) {
     throw UsageError("a family of orbits is missing: " + families::names_of_families());
   }
@@ -185,7 +186,7 @@ ExitCode run(const OrbitsOptions& options, const proofs::methods::Paper& paper) 
     return *done;
   }
   require_no_basin(options.basin);
-  return words::looks_like_word(options.family) ? run_word(options, paper) : run_family(options, paper);
+  return words::looks_like_word(options.family) ? run_word(options, examples) : run_family(options, examples);
 }
 
 }  // namespace stickslip::cli

@@ -18,7 +18,7 @@ namespace stickslip::cli {
 using namespace numeric;
 using namespace numeric::motion;
 using namespace numeric::simulation;
-using proofs::methods::Paper;
+using proofs::methods::Examples;
 using report::orbits::PictureSamples;
 using report::orbits::Simulated;
 using report::orbits::Units;
@@ -149,14 +149,14 @@ Simulated simulate(const MotionAsked& asked, const SimulateOptions& options, con
 
 }  // namespace
 
-ExitCode run(const SimulateOptions& options, const Paper& paper) {
+ExitCode run(const SimulateOptions& options, const Examples& examples) {
   if (const auto done = run_in_tables(options)) {
     return *done;
   }
   require_places(options);
   const auto [file, units, asked] = [&] {
     const Progress progress("searching for orbits ...");
-    return asked_motion(options.set ? as_text(options) : options, paper);
+    return asked_motion(options.set ? as_text(options) : options, examples);
   }();
   if (!asked.from.leaves.empty()) {
     tell(asked.from.leaves);

@@ -19,7 +19,7 @@ namespace stickslip::cli {
 using namespace numeric;
 using namespace numeric::motion;
 using namespace numeric::simulation;
-using proofs::methods::Paper;
+using proofs::methods::Examples;
 
 namespace {
 
@@ -45,8 +45,8 @@ Start start_of_orbit(const Orbit& orbit) {
   return start;
 }
 
-SimulationStart from_orbit(const SimulateOptions& options, ParameterFile& file, const Paper& paper) {
-  const NamedOrbit named = named_orbit(options.orbit, paper, file, OrbitsOptions::default_digits);
+SimulationStart from_orbit(const SimulateOptions& options, ParameterFile& file, const Examples& examples) {
+  const NamedOrbit named = named_orbit(options.orbit, examples, file, OrbitsOptions::default_digits);
   const OrbitQuestion& asked = named.list.question;
   const Orbit& orbit = named.orbit();
   if (!asked.ur && !families::has_stick(*asked.family)) {
@@ -70,8 +70,8 @@ SimulationStart from_orbit(const SimulateOptions& options, ParameterFile& file, 
 }
 
 // From a state, or from the orbit of an example.
-SimulationStart from_state(const SimulateOptions& options, const ParameterFile& file, const Paper& paper,
-                           const report::orbits::Units& units) {
+SimulationStart from_state(const SimulateOptions& options, const ParameterFile& file,
+                           const Examples& examples, const report::orbits::Units& units) {
   TypedParameters typed = file.parameters;
   if (file.machine) {
     typed["phi"] = to_string(file.machine->machine.load_phase);
@@ -81,7 +81,7 @@ SimulationStart from_state(const SimulateOptions& options, const ParameterFile& 
   }
   Start start;
   if (!options.example.empty()) {
-    start = start_of_orbit(printed_orbit(example_named(paper.examples, options.example)));
+    start = start_of_orbit(printed_orbit(example_named(examples, options.example)));
   } else {
     require_given(typed, {parameter_names.begin(), parameter_names.end()});
   }
@@ -102,18 +102,18 @@ SimulationStart from_state(const SimulateOptions& options, const ParameterFile& 
   of_machine.example = options.example;
   of_machine.typed = typed;
   of_machine.typed.erase("phi");
-  return {start, machine(paper, of_machine, OrbitsOptions::default_digits)};
+  return {start, machine(examples, of_machine, OrbitsOptions::default_digits)};
 }
 
 }  // namespace
 
-SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& file, const Paper& paper,
-                                 const report::orbits::Units& units) {
+SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& file,
+                                 const Examples& examples, const report::orbits::Units& units) {
   if (options.example.empty() && !options.state && options.orbit.empty()) {
     throw UsageError("a start is missing: give --state x1,x2,x1',x2', --example or --orbit");
   }
-  SimulationStart from =
-      options.orbit.empty() ? from_state(options, file, paper, units) : from_orbit(options, file, paper);
+  SimulationStart from = options.orbit.empty() ? from_state(options, file, examples, units)
+                                               : from_orbit(options, file, examples);
   if (options.perturb) {
     from.start.X += in_data("perturb", *options.perturb, units);
   }

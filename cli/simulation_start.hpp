@@ -22,7 +22,7 @@ struct SimulationStart {
 // out of it. Searches for the orbits. Throws UsageError for what is missing or malformed and for an orbit
 // that there is not, DomainError as list_orbits does.
 [[nodiscard]] SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& file,
-                                               const proofs::methods::Paper& paper,
+                                               const proofs::methods::Examples& examples,
                                                const report::orbits::Units& units);
 
 // What the motion settles on when it goes on from the end of the record, if that can be seen within a second

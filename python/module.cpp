@@ -23,6 +23,7 @@
 #include "numeric/simulation/record.hpp"
 #include "proofs/methods/automatic.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/examples.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/text/claims_file.hpp"
@@ -100,12 +101,6 @@ auto carried_out(const Conduct& conduct, const Work& work, const cli::GivenFile&
   return std::move(*result);
 }
 
-// The paper is looked at only where its examples are asked for.
-const Paper& paper_for(const std::string& example) {
-  static const Paper none{};
-  return example.empty() ? none : proofs::pascal2012::paper();
-}
-
 // A question as it is typed behind the program's name, "orbits", "OTS", "--ur=0.2", …, and the values of a
 // machine in SI units that stands in no file.
 struct Asking {
@@ -173,7 +168,7 @@ template <class Options, auto ask, auto find>
 auto found(const Asking& asking, const Conduct& conduct) {
   const auto o = options_of<Options>(asking);
   return carried_out(
-      conduct, [&] { return answered(ask(o, paper_for(o.example)), find); }, o.file);
+      conduct, [&] { return answered(ask(o, proofs::pascal2012::printed_examples()), find); }, o.file);
 }
 
 // Of a list all but its orbits.
@@ -255,7 +250,9 @@ Told<PureWord> pure_word(const Asking& asking, const Conduct& conduct) {
     return PureWord{machine, words::kind_of(o.family).value()};
   };
   return carried_out(
-      conduct, [&] { return answered(cli::asked_pure_word(o, paper_for(o.example)), word_of); }, o.file);
+      conduct,
+      [&] { return answered(cli::asked_pure_word(o, proofs::pascal2012::printed_examples()), word_of); },
+      o.file);
 }
 
 std::string fields_of_pure_word(const Told<PureWord>& t) {
@@ -298,7 +295,7 @@ Told<Followed> simulate(const Asking& asking, bool settle, const Conduct& conduc
   return carried_out(
       conduct,
       [&] {
-        auto asked = cli::asked_motion(o, paper_for(o.example));
+        auto asked = cli::asked_motion(o, proofs::pascal2012::printed_examples());
         if (!asked.question.from.leaves.empty()) {
           asked.file.left_out.push_back(asked.question.from.leaves);
         }
@@ -413,7 +410,7 @@ Atlas make_atlas(const Asking& asking, const Conduct& conduct) {
   return carried_out(
       conduct,
       [&] {
-        const auto asked = cli::asked_atlas(o, paper_for(o.example));
+        const auto asked = cli::asked_atlas(o, proofs::pascal2012::printed_examples());
         Archive archive{asked.question, report::tools::program_version(), {}};
         work_on_all(
             asked.question, gaps({}), [] { return interrupted(); },

@@ -49,6 +49,7 @@ struct Example {
   // Throws InternalError when there is no result of that name.
   [[nodiscard]] const PrintedResult& result(const std::string& result_name) const;
 };
+using Examples = std::vector<Example>;
 
 // A hypothesis that the paper does not state, judged: what is true where it fails.
 struct Judgement {
@@ -103,7 +104,7 @@ struct Paper {
   Bibliography bibliography;
   std::vector<Section> sections;                  // in the paper's order
   std::vector<Claim> claims;                      // section by section
-  std::vector<Example> examples;                  // in the paper's order
+  Examples examples;                              // in the paper's order
   std::vector<Judgement> judgements;              // one for each claim that brings in hypotheses
   std::vector<PrintedStatement> statements = {};  // in the paper's order
   std::vector<Remark> remarks = {};               // the weightiest first
@@ -150,9 +151,9 @@ struct Paper {
 [[nodiscard]] std::string id_of_a_part(const std::vector<Claim>& claims);
 
 // Throws UsageError naming the known ones when there is no example of that name.
-[[nodiscard]] const Example& example_named(const std::vector<Example>& examples, const std::string& name);
+[[nodiscard]] const Example& example_named(const Examples& examples, const std::string& name);
 
 // "S, O or P".
-[[nodiscard]] std::string names_of(const std::vector<Example>& examples);
+[[nodiscard]] std::string names_of(const Examples& examples);
 
 }  // namespace stickslip::proofs::methods

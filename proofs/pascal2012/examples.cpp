@@ -56,8 +56,8 @@ Example example_P() {
 
 }  // namespace
 
-const std::vector<Example>& printed_examples() {
-  static const std::vector<Example> all{example_S(), example_O(), example_P()};
+const Examples& printed_examples() {
+  static const Examples all{example_S(), example_O(), example_P()};
   return all;
 }
 

@@ -6,7 +6,7 @@
 namespace stickslip::proofs::pascal2012 {
 
 // S, O, P: symmetric, overshooting, non-sticking.
-[[nodiscard]] const std::vector<methods::Example>& printed_examples();
+[[nodiscard]] const methods::Examples& printed_examples();
 
 // Throws UsageError naming the known ones when there is no example of that name.
 [[nodiscard]] const methods::Example& example_named(const std::string& name);

@@ -31,19 +31,7 @@ text::Programs programs() {
 }
 
 Paper assembled() {
-  Paper paper{
-      {"M. Pascal", "New limit cycles of dry friction oscillators under harmonic load",
-       "Nonlinear Dynamics 70 (2012) 1435–1443", "10.1007/s11071-012-0545-5",
-       "The text read is that of HAL, whose file has lost glyphs; where a formula quoted here has lost "
-       "some, these are named, and the printed page should be looked at."},
-      {},
-      {},
-      printed_examples(),
-      {},
-      {},
-      {},
-      {},
-      abbreviations()};
+  Paper paper{bibliography(), {}, {}, printed_examples(), {}, {}, {}, {}, abbreviations()};
   std::string all;
   for (const auto& [file, claims] : claims_text()) {
     all += claims;
@@ -66,6 +54,15 @@ Paper assembled() {
 }
 
 }  // namespace
+
+const Bibliography& bibliography() {
+  static const Bibliography printed{
+      "M. Pascal", "New limit cycles of dry friction oscillators under harmonic load",
+      "Nonlinear Dynamics 70 (2012) 1435–1443", "10.1007/s11071-012-0545-5",
+      "The text read is that of HAL, whose file has lost glyphs; where a formula quoted here has lost "
+      "some, these are named, and the printed page should be looked at."};
+  return printed;
+}
 
 const Paper& paper() {
   static const Paper once = assembled();

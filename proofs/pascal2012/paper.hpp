@@ -14,7 +14,9 @@ namespace stickslip::proofs::pascal2012 {
 // the files and what stands in them.
 [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& claims_text();
 
-// The paper, made once.
+[[nodiscard]] const methods::Bibliography& bibliography();
+
+// The paper, made once: its claims are read.
 [[nodiscard]] const methods::Paper& paper();
 
 }  // namespace stickslip::proofs::pascal2012
