@@ -366,7 +366,7 @@ class Judge {
     const int side = piece.side();
     // side V minus the relative velocity at which a piece begins.
     const auto from_belt = [&](std::size_t one) {
-      return in_data([&](const auto& o) { return o.V * Ball(side) - o.law(side).sliding[one].from; });
+      return in_data([&](const auto& all) { return all.V * Ball(side) - all.law(side).sliding[one].from; });
     };
     const model::FrictionLaw<Rational>& exact = exact_.law(side);
     const bool slowly = number == 0 && from_stick && exact.sliding.front().force == exact.at_rest;

@@ -76,7 +76,8 @@ class NumbersInData::Points {
       }
     }
   }
-  [[nodiscard]] const Rational& at(const Values& values, std::vector<std::pair<std::size_t, int>> of) const {
+  [[nodiscard]] const Rational& at(const Values& values,
+                                   const std::vector<std::pair<std::size_t, int>>& of) const {
     std::vector<int> places(data_, 0);
     for (const auto& [k, place] : of) {
       places[k] = place;
