@@ -271,6 +271,9 @@ Asked<words::WordQuestion> asked_box(const BranchOptions& o, const Examples& exa
 }
 
 Asked<BranchQuestion> asked_branch(const BranchOptions& o, const Examples& examples) {
+  if (o.parts) {
+    throw UsageError("--parts is for several --along");
+  }
   return words::looks_like_word(o.family) ? asked_branch_of_word(o, examples)
                                           : asked_branch_of_family(o, examples);
 }

@@ -43,19 +43,8 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Examples& examples) 
         "gaps");
   }
   if (o.along.size() > 1) {
-    if (!words::looks_like_word(o.family)) {
-      throw UsageError(
-          "several --along are for a word of phases such as OTS; of a family stickslip atlas maps a box");
-    }
-    const auto asked = asked_box(o, examples);
-    BranchOptions rest = o;
-    rest.example.clear();
-    rest.parameters.clear();
-    rest.si = false;
-    return run_box(as_tables(asked.question, asked.file, asked.units, "a box of data"), rest);
-  }
-  if (o.parts) {
-    throw UsageError("--parts is for several --along");
+    const auto [given, rest] = box_in_tables(o, examples);
+    return run_box(given, rest);
   }
   const Jobs limit = jobs(o.jobs);
   require_outputs(o);

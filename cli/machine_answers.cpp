@@ -209,6 +209,20 @@ GivenInTables as_tables(const numeric::words::WordQuestion& machine, const Param
       "the paper's oscillator", {with({}), false}, options + "--ur " + to_string(machine.ur), with, value};
 }
 
+std::pair<GivenInTables, BranchOptions> box_in_tables(const BranchOptions& o,
+                                                      const proofs::methods::Examples& examples) {
+  if (!numeric::words::looks_like_word(o.family)) {
+    throw UsageError(
+        "several --along are for a word of phases such as OTS; of a family stickslip atlas maps a box");
+  }
+  const auto asked = asked_box(o, examples);
+  BranchOptions rest = o;
+  rest.example.clear();
+  rest.parameters.clear();
+  rest.si = false;
+  return {as_tables(asked.question, asked.file, asked.units, "a box of data"), rest};
+}
+
 std::optional<GivenInTables> given_in_tables(const GivenMachine& options) {
   if (options.file.values || options.file.empty()) {
     return std::nullopt;
@@ -383,6 +397,10 @@ report::machines::OverBox box_answer(const GivenInTables& given, const BranchOpt
   DataBox box;
   Values start;
   for (const auto& [path, range] : o.along) {
+    const std::string& name = path;
+    if (std::ranges::count(o.along, name, [](const auto& one) { return one.first; }) > 1) {
+      throw UsageError(fmt::format("{}: {} and {} vary together: give one of them", given.file, name, name));
+    }
     const auto [from, to] = interval(path, range);
     result.data.push_back({path, from, to, start_in(given, path, from, to)});
     box.low.push_back(from);

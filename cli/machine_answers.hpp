@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/arguments.hpp"
@@ -12,6 +13,7 @@
 #include "cli/machine_tables.hpp"
 #include "core/error.hpp"
 #include "numeric/words/word_orbit.hpp"
+#include "proofs/methods/paper.hpp"
 #include "report/machines/results.hpp"
 
 namespace stickslip::cli {
@@ -30,6 +32,9 @@ struct GivenInTables {
 // `why`, an option, is asked for in them: else UsageError.
 [[nodiscard]] GivenInTables as_tables(const numeric::words::WordQuestion& machine, const ParameterFile& file,
                                       const report::orbits::Units& units, const char * why);
+// For several --along, and what is then asked of it. Throws UsageError for a family of orbits.
+[[nodiscard]] std::pair<GivenInTables, BranchOptions> box_in_tables(
+    const BranchOptions& o, const proofs::methods::Examples& examples);
 // Nothing if no file is given, or the file is none of these.
 [[nodiscard]] std::optional<GivenInTables> given_in_tables(const GivenMachine& options);
 

@@ -516,6 +516,18 @@ std::string told_in_tables(const Asking& asking, const Conduct& conduct) {
   });
 }
 
+// The paper's oscillator over a box of its data.
+std::string branch_over_box(const Asking& asking, const Conduct& conduct) {
+  const auto o = options_of<cli::BranchOptions>(asking);
+  return carried_out(
+      conduct,
+      [&] {
+        const auto [given, rest] = cli::box_in_tables(o, proofs::pascal2012::printed_examples());
+        return report::machines::to_json(cli::box_answer(given, rest)).dump();
+      },
+      o.file);
+}
+
 std::tuple<std::string, py::array_t<double>> simulate_in_tables(const Asking& asking,
                                                                 const Conduct& conduct) {
   const auto o = options_of<cli::SimulateOptions>(asking);
@@ -616,6 +628,7 @@ PYBIND11_MODULE(_core, m) {
         [](const Asking& asking) { (void)in_tables(options_of<cli::OrbitsOptions>(asking)); });
   m.def("attractors_in_tables", &told_in_tables<AttractorsOptions>);
   m.def("orbits_in_tables", &told_in_tables<cli::OrbitsOptions>);
+  m.def("branch_over_box", &branch_over_box);
   m.def("branch_in_tables", &told_in_tables<cli::BranchOptions>);
   m.def("simulate_in_tables", &simulate_in_tables);
   m.def("set_in_tables", [](const Asking& asking, const Conduct& conduct) {

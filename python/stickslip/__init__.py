@@ -22,6 +22,7 @@ Ctrl-C ends it.
 
 from __future__ import annotations
 
+import json as _json
 import os as _os
 import warnings as _warnings
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
@@ -99,6 +100,13 @@ def _range(along: Optional[Tuple[str, Exact, Exact]]) -> List[Tuple[str, str]]:
     return [(along[0], interval("along", along[1:]))]
 
 
+def _ranges(along: Union[Tuple[str, Exact, Exact], Sequence[Tuple[str, Exact, Exact]], None]) -> List[Tuple[str, str]]:
+    """Those of one, or of several in a list."""
+    if along is None or isinstance(along, tuple) and along and isinstance(along[0], str):
+        return _range(along)
+    return [_range(one)[0] for one in along]
+
+
 def _is_word(family: str) -> bool:
     return bool(family) and set(family) <= set("SOT")
 
@@ -144,9 +152,9 @@ def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = N
            V: Optional[Along] = None, omega: Optional[Along] = None, p: Optional[Along] = None,
            phi: Optional[Along] = None, ur: Optional[Along] = None, at: Optional[Exact] = None,
            example: Optional[str] = None, machine: Optional[Machine] = None, units: Optional[str] = None,
-           along: Optional[Tuple[str, Exact, Exact]] = None, period: int = 1, orbit: Optional[int] = None,
-           near: Optional[Sequence[Union[Exact, float]]] = None, all: bool = False,
-           jobs: Optional[int] = None) -> Branches:
+           along: Union[Tuple[str, Exact, Exact], Sequence[Tuple[str, Exact, Exact]], None] = None, period: int = 1,
+           orbit: Optional[int] = None, near: Optional[Sequence[Union[Exact, float]]] = None, all: bool = False,
+           parts: Optional[int] = None, jobs: Optional[int] = None) -> Union[Branches, Record]:
     """The orbits of a family over an interval of one parameter, and every change along them, enclosed and proved.
 
     family: as for orbits; of a word the branches of the orbits that are found at `at`, or else in the middle of
@@ -157,15 +165,20 @@ def branch(family: str, *, chi: Optional[Along] = None, eta: Optional[Along] = N
     units="si", which goes with such a value only, `near` is given in m and m/s, too.
     at: follow the branches of the orbits at this value of it only; otherwise all branches are looked for.
     Of a word: period, of the load; orbit: the K-th that orbits(word) lists, from 1; near: the orbit near the state
-    (x1, x2, x1', x2') at load phase 0; all: those that are not admissible, too.
+    (x1, x2, x1', x2') at load phase 0; all: those that are not admissible, too. along: of a list of several, its
+    orbits at all data of that box, proved in so many parts, by default 500: a Record, as MachineInTables.branch has.
 
     Raises as orbits does.
     """
+    ranges = _ranges(along)
     asking = _asking("branch", family, needed=() if along else _data, example=example, machine=machine, units=units,
                      parameters=dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur),
-                     along=_range(along), at=None if at is None else _number("at", at),
+                     along=ranges, at=None if at is None else _number("at", at),
                      period=None if period == 1 else _count("period", period, 100000),
-                     orbit=_count("orbit", orbit, 10**6), near=_state("near", near), all=bool(all))
+                     orbit=_count("orbit", orbit, 10**6), near=_state("near", near), all=bool(all),
+                     parts=_count("parts", parts, 10**6))
+    if len(ranges) > 1:
+        return Record(_json.loads(_core.branch_over_box(asking, _conduct(jobs))))
     return Branches._from(_told(_core.branch(asking, _conduct(jobs))))
 
 
@@ -189,7 +202,7 @@ def atlas(what: Union[str, "_os.PathLike[str]"], *, chi: Optional[Along] = None,
     was built without HDF5.
     """
     data = dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur)
-    ranges = [_range(one)[0] for one in ((along,) if along and isinstance(along[0], str) else along)]
+    ranges = _ranges(along)
     if _os.fspath(what) not in ("symmetric", "nonsticking", "overshooting"):
         if ranges or example or machine or any(value is not None for value in data.values()):
             raise UsageError(f"parameters are for an atlas that is made, of a family: '{_os.fspath(what)}' is read")

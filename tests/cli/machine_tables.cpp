@@ -726,6 +726,7 @@ TEST_CASE(
   CHECK(again.at("command").get<std::string>().find("--along us 0.04999..0.05001") != std::string::npos);
   check_refused(
       {{in_SI, exit_usage, "in these: add --units si"},
+       {with(of_O, {"--along", "us", "0.1..0.2"}), exit_usage, "us and us vary together: give one of them"},
        {{"branch", "OTS", "--example", "O", "--along", "us", "0.04..0.05", "--along", "phi", "0..1"},
         exit_usage,
         "phi is none of chi, eta, us, V, omega, p, ur"},

@@ -34,6 +34,21 @@ def test_branches_are_those_of_the_program():
         assert count.stable == sum(orbit.stability == "stable" for orbit in orbits.admissible)
 
 
+def test_a_box_of_data_is_proved_at_once():
+    box = [("eta", "3.999", "4.001"), ("p", "0.0499", "0.0501")]
+    found = stickslip.branch("OTS", example="O", along=box, parts=50)
+    assert [datum.path for datum in found.data] == ["eta", "p"]
+    assert {(part.existence, part.state) for part in found.motions[0].parts} == {("proved", "stable")}
+    words = [word for name, *ends in box for word in ("--along", name, "..".join(ends))]
+    told = json.loads(program("branch", "OTS", "--example=O", *words, "--parts=50", "--json").stdout)
+    assert len(found.motions[0].parts) == len(told["motions"][0]["parts"])
+    for what, message in [(dict(family="symmetric", along=box), "several --along are for a word"),
+                          (dict(family="OTS", along=box[0], parts=5), "--parts is for several"),
+                          (dict(family="OTS", along=[*box, ("p", 1, 2)]), "p and p vary together")]:
+        with pytest.raises(stickslip.UsageError, match=message):
+            stickslip.branch(example="O", **what)
+
+
 def test_an_interval_is_a_pair_too():
     pair = stickslip.branch("nonsticking", example="P", omega=(Fraction(3, 5), "0.61"), at="0.6")
     text = stickslip.branch("nonsticking", example="P", omega="3/5..0.61", at=Fraction(3, 5))
