@@ -102,8 +102,8 @@ AlongPath along_path(const GivenInTables& given, const Ranges& along) {
   if (along.size() > 1) {
     throw UsageError(fmt::format("--along is for one number here, not for {} of them", along.size()));
   }
-  const auto& [path, range] = along.front();
-  const auto [from, to] = interval(path, range);
+  const std::string& path = along.front().first;
+  const auto [from, to] = interval(path, along.front().second);
   return {path, from, to, [with = given.with, path](const Rational& value) { return with({{path, value}}); }};
 }
 
