@@ -4,8 +4,11 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "core/error.hpp"
 
