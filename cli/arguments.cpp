@@ -392,7 +392,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
     }
   }
   program.allow_extras();
-  if (!words.empty() && words.front() == "prove") {
+  if (is_meant("prove")) {
     std::ranges::transform(words, words.begin(), as_statement);
   }
   std::ranges::reverse(words);  // as CLI11 takes them

@@ -128,7 +128,7 @@ Along along_of(const TypedParameters& typed) {
 }
 
 // What is typed with what each --along NAME A..B says. Throws UsageError for a name that is neither a
-// parameter's nor a machine's in SI units.
+// parameter's nor a machine's in SI units, and for one that is typed already.
 TypedParameters with_along(TypedParameters typed, const Ranges& along) {
   for (const auto& [name, range] : along) {
     if (!is_parameter(name) && !is_in_SI(name)) {
@@ -138,7 +138,9 @@ TypedParameters with_along(TypedParameters typed, const Ranges& along) {
     if (range.find("..") == std::string::npos) {
       throw UsageError(fmt::format("along: '{}' is not an interval A..B, such as 0.1..0.5", range));
     }
-    typed[name] = range;
+    if (!typed.emplace(name, range).second) {
+      throw UsageError(fmt::format("{} is given twice, once by --along", name));
+    }
   }
   return typed;
 }

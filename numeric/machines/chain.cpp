@@ -178,11 +178,10 @@ InData<Matrix> Chain::beginning(const NodesInData& nodes, std::size_t i) const {
 
 Chain::Course Chain::course(const NodesInData& nodes, std::size_t i) const {
   const std::size_t following = (i + 1) % size();
-  const bool slips = pieces_[following].kind == PhaseKind::slip;
-  const InData<Ball> least = phases_.number([](const auto& o) { return o.backward.at_rest; }) * Ball(-1);
-  const InData<Ball> bound = pieces_[i].kind != PhaseKind::stick ? speeds_in_data_[following]
-                             : slips ? phases_.number([](const auto& o) { return o.forward.at_rest; })
-                                     : least;
+  const int side = pieces_[following].side();
+  const auto at_rest = [&](const auto& o) { return o.law(side).at_rest * Ball(side); };
+  const InData<Ball> bound =
+      pieces_[i].kind == PhaseKind::stick ? phases_.number(at_rest) : speeds_in_data_[following];
   InData<Matrix> event = phases_.watched(pieces_[i]);
   event -= mapped(bound, [&](const Ball& x) { return Matrix((phases_.one() * x).transpose()); });
   const InData<Matrix> flow = phases_.flow(pieces_[i], duration(nodes, i)), begin = beginning(nodes, i);

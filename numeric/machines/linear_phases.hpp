@@ -124,7 +124,7 @@ class LinearPhases {
   // M B, of one machine or all; row n + i without the mass i of x_i'' where it moves.
   template <class S>
   [[nodiscard]] model::MatrixX<S> forces(const model::FrictionOscillator<S>& oscillator, Piece piece) const;
-  // r, as a column.
+  // What times w is r, as a column.
   template <class S>
   [[nodiscard]] model::VectorX<S> row_of_r(const model::FrictionOscillator<S>& oscillator) const;
   template <class M>

@@ -501,10 +501,6 @@ class Search {
 std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
                                     const Effort& effort) {
   const std::size_t data = box.low.size();
-  if (data == 0 || data > most_data) {
-    throw DomainError("the data of a box", fmt::format("{} of them", data),
-                      fmt::format("1 to {}", most_data));
-  }
   for (const MotionAt& motion : motions) {
     for (std::size_t k = 0; k < data; ++k) {
       if (motion.values[k] < box.low[k] || motion.values[k] > box.high[k]) {
