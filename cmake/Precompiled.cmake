@@ -45,13 +45,18 @@ function(stickslip_together target name)
   set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${name})
 endfunction()
 
-# stickslip_in_eights(TARGET SOURCES…): sources of one folder that follow each other are compiled together, by eights.
+# stickslip_in_eights(TARGET [MIXED] SOURCES…): sources that follow each other are compiled together, by eights: those of one
+# folder, or with MIXED whatever folders they are in.
 function(stickslip_in_eights target)
+  cmake_parse_arguments(arg "MIXED" "" "" ${ARGN})
   set(count 0)
   set(group 0)
   set(last "")
-  foreach(source IN LISTS ARGN)
+  foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     cmake_path(GET source PARENT_PATH folder)
+    if(arg_MIXED)
+      set(folder mixed)
+    endif()
     if(NOT "${folder}" STREQUAL "${last}" OR count EQUAL 8)
       math(EXPR group "${group} + 1")
       set(count 0)

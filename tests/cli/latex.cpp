@@ -40,44 +40,6 @@ TEST_CASE("a statement is printed in the form that is proved, and what is refute
   CHECK(unknown.out.empty());
 }
 
-TEST_CASE("the errata are by place, formulas and numbers alone, without the ids of claims") {
-  const Run errata = stickslip_program({"latex", "--errata"});
-  CHECK(errata.code == exit_decided);
-  for (const char * part : {"\\entry{(45)}", "\\entry{(47), $c_1$}", "should read", "$7.747$"}) {
-    CAPTURE(part);
-    CHECK(errata.out.find(part) != std::string::npos);
-  }
-  // In the order of the paper.
-  const std::vector<const char *> places{
-      "Abstract and",          "(4)",       "Section 4, b", "(16)",         "Section 4, e",
-      "Section 5, after (18)", "(19)",      "Section 5, e", "Section 6, a", "(37)",
-      "Section 6, e",          "Section 7", "(45)",         "(47)",         "Appendix 5"};
-  std::size_t last = 0;
-  for (const char * place : places) {
-    const std::size_t at = errata.out.find(std::string("\\entry{") + place);
-    CAPTURE(place);
-    REQUIRE(at != std::string::npos);
-    CHECK(at > last);
-    last = at;
-  }
-  CHECK(errata.out.find("\\omega - \\omega_1 \\neq 0") != std::string::npos);
-  // A letter: who writes it is left open, what was read is said, the paper is quoted, and no hypothesis is
-  // told twice.
-  for (const char * part :
-       {"Your name", "The text read is that of HAL",
-        "``non-sticking periodic orbits are obtained only for $V = 0$''",
-        "To be compared with the printed page", "2 of the 4 admissible orbits at the data of Fig. 2",
-        "\\formula{Z(t) = \\Gamma(T - t_1) E Z_0}", "(Lost in the text read: the minus sign.)"}) {
-    CAPTURE(part);
-    CHECK(errata.out.find(part) != std::string::npos);
-  }
-  CHECK(errata.out.find("\\cos\\frac{T}{2} \\neq 0") == std::string::npos);
-  for (const char * id : {"(16.back)", "(A5.longer)", "37.sharp", "S.tau", "does not matter"}) {
-    CAPTURE(id);
-    CHECK(errata.out.find(id) == std::string::npos);
-  }
-}
-
 TEST_CASE("a result is printed as a theorem, an unknown one names those that there are") {
   const Run uniqueness = stickslip_program({"latex", "--theorem", "uniqueness"});
   CHECK(uniqueness.code == exit_decided);

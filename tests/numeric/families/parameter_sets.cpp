@@ -16,69 +16,77 @@ namespace {
 
 struct Set {
   const char * kind;
-  const Family * family;
+  const char * family;
   std::array<const char *, 6> data;  // chi, eta, us, V, omega, p
   const char * phi;
   const char * ur;
   std::size_t orbits, admissible;
 };
 
-const Family * const symmetric = &family_named("symmetric");
-const Family * const overshooting = &family_named("overshooting");
-const Family * const nonsticking = &family_named("nonsticking");
-
 const std::vector<Set> sets = {
-    {"S", symmetric, {"0.5", "3.8", "0.02", "1", "0.6", "0.05"}, nullptr, nullptr, 4, 4},
-    {"none above omega2", symmetric, {"0.5", "3.8", "0.02", "1", "3", "0.05"}, nullptr, nullptr, 0, 0},
-    {"all with ur < us", symmetric, {"0.5", "3.8", "0.02", "1", "0.7", "0.05"}, nullptr, nullptr, 2, 0},
+    {"S", "symmetric", {"0.5", "3.8", "0.02", "1", "0.6", "0.05"}, nullptr, nullptr, 4, 4},
+    {"none above omega2", "symmetric", {"0.5", "3.8", "0.02", "1", "3", "0.05"}, nullptr, nullptr, 0, 0},
+    {"all with ur < us", "symmetric", {"0.5", "3.8", "0.02", "1", "0.7", "0.05"}, nullptr, nullptr, 2, 0},
     {"some do not hold the stick",
-     symmetric,
+     "symmetric",
      {"0.5", "3.8", "0.02", "1", "0.45", "0.05"},
      nullptr,
      nullptr,
      4,
      2},
-    {"one of either load phase", symmetric, {"0.3", "2", "0.05", "1", "0.5", "0.2"}, nullptr, nullptr, 2, 2},
-    {"strong load", symmetric, {"0.5", "3.8", "0.02", "1", "0.6", "5"}, nullptr, nullptr, 3, 1},
-    {"slow load, many", symmetric, {"0.5", "3.8", "0.02", "1", "0.2", "0.05"}, nullptr, nullptr, 10, 0},
+    {"one of either load phase",
+     "symmetric",
+     {"0.3", "2", "0.05", "1", "0.5", "0.2"},
+     nullptr,
+     nullptr,
+     2,
+     2},
+    {"strong load", "symmetric", {"0.5", "3.8", "0.02", "1", "0.6", "5"}, nullptr, nullptr, 3, 1},
+    {"slow load, many", "symmetric", {"0.5", "3.8", "0.02", "1", "0.2", "0.05"}, nullptr, nullptr, 10, 0},
     {"beside omega1 = 1/2",
-     symmetric,
+     "symmetric",
      {"9/13", "169/36", "0.02", "1", "0.5001", "0.05"},
      nullptr,
      nullptr,
      5,
      1},
-    {"O", overshooting, {"0.2", "4", "0.05", "1", "0.6289", "0.05"}, "0", nullptr, 2, 1},
-    {"the load turned away", overshooting, {"0.2", "4", "0.05", "1", "0.6289", "0.05"}, "3", nullptr, 0, 0},
-    {"beyond the fold", overshooting, {"0.2", "4", "0.05", "1", "0.6", "0.05"}, "0", nullptr, 0, 0},
+    {"O", "overshooting", {"0.2", "4", "0.05", "1", "0.6289", "0.05"}, "0", nullptr, 2, 1},
+    {"the load turned away", "overshooting", {"0.2", "4", "0.05", "1", "0.6289", "0.05"}, "3", nullptr, 0, 0},
+    {"beyond the fold", "overshooting", {"0.2", "4", "0.05", "1", "0.6", "0.05"}, "0", nullptr, 0, 0},
     {"friction known, phase not",
-     overshooting,
+     "overshooting",
      {"0.2", "4", "0.05", "1", "0.65", "0.05"},
      nullptr,
      "0.4",
      2,
      1},
-    {"slow load", overshooting, {"0.5", "3.8", "0.02", "1", "0.3", "0.05"}, "0.5", nullptr, 6, 0},
-    {"P, friction near grazing", nonsticking, {"0.3", "4", "0.1", "0", "0.6", "1"}, nullptr, "0.29960", 2, 1},
+    {"slow load", "overshooting", {"0.5", "3.8", "0.02", "1", "0.3", "0.05"}, "0.5", nullptr, 6, 0},
+    {"P, friction near grazing",
+     "nonsticking",
+     {"0.3", "4", "0.1", "0", "0.6", "1"},
+     nullptr,
+     "0.29960",
+     2,
+     1},
     {"P, friction just too large",
-     nonsticking,
+     "nonsticking",
      {"0.3", "4", "0.1", "0", "0.6", "1"},
      nullptr,
      "0.2997",
      2,
      0},
-    {"a load too small", nonsticking, {"0.3", "4", "0.1", "0", "0.6", "0.2"}, nullptr, nullptr, 4, 0},
-    {"a moving belt", nonsticking, {"0.3", "4", "0.1", "0.4", "0.6", "1"}, nullptr, nullptr, 2, 1},
-    {"a belt too fast", nonsticking, {"0.3", "4", "0.1", "2", "0.6", "1"}, nullptr, nullptr, 4, 0},
+    {"a load too small", "nonsticking", {"0.3", "4", "0.1", "0", "0.6", "0.2"}, nullptr, nullptr, 4, 0},
+    {"a moving belt", "nonsticking", {"0.3", "4", "0.1", "0.4", "0.6", "1"}, nullptr, nullptr, 2, 1},
+    {"a belt too fast", "nonsticking", {"0.3", "4", "0.1", "2", "0.6", "1"}, nullptr, nullptr, 4, 0},
     {"a load too weak for the belt",
-     nonsticking,
+     "nonsticking",
      {"9/13", "169/36", "0.02", "0.1", "0.26", "0.05"},
      nullptr,
      nullptr,
      0,
      0},
     {"beside resonance",
-     nonsticking,
+     "nonsticking",
      {"9/13", "169/36", "0.02", "0.05", "0.51", "1"},
      nullptr,
      nullptr,
@@ -92,7 +100,7 @@ std::optional<Range> range(const char * text) {
 
 OrbitQuestion question(const Set& set) {
   const auto value = [&](std::size_t i) { return Range{parse_rational(set.data[i])}; };
-  return {set.family,
+  return {&family_named(set.family),
           {value(0), value(1), value(2), value(3), value(4), value(5)},
           range(set.phi),
           range(set.ur)};

@@ -12,7 +12,7 @@ using namespace stickslip::numeric::zeros;
 namespace {
 
 // sin(10 x): zeros k pi/10, the first at the very end of [0, 2].
-struct Wave {
+struct Ripple {
   template <class T>
   Eigen::Matrix<T, 1, 1> operator()(const Eigen::Matrix<T, 1, 1>& x) const {
     using std::sin;
@@ -47,7 +47,7 @@ SearchResult<N> search_all(const F& f, const Cell<N>& domain, const SearchLimits
 }  // namespace
 
 TEST_CASE("all zeros on a line, each once, ends included") {
-  const SearchResult<1> result = search_all<1>(Wave{}, {{0}, {2}});
+  const SearchResult<1> result = search_all<1>(Ripple{}, {{0}, {2}});
   CHECK(result.complete());
   REQUIRE(result.zeros.size() == 7);
   for (int k = 0; k < 7; ++k) {
@@ -81,7 +81,7 @@ TEST_CASE("double zeros stay unresolved, covered and with a reason") {
 
 namespace {
 
-// Whether each zero of Wave in [0, 2] lies in a proved box or in an unresolved one.
+// Whether each zero of Ripple in [0, 2] lies in a proved box or in an unresolved one.
 void check_that_nothing_is_lost(const SearchResult<1>& result) {
   for (int k = 0; k < 7; ++k) {
     const Ball exact = Ball(k) * Ball::pi() / Ball(10);
@@ -120,21 +120,21 @@ TEST_CASE("a caller may say which side of a cell is halved, until it is small: t
 TEST_CASE("the limit of cells loses nothing") {
   SearchLimits limits;
   limits.cells = 3;
-  check_that_nothing_is_lost(search_all<1>(Wave{}, {{0}, {2}}, limits));
+  check_that_nothing_is_lost(search_all<1>(Ripple{}, {{0}, {2}}, limits));
 }
 
 TEST_CASE("a person's limits are taken in place of the search's own") {
-  const long needed = search_all<1>(Wave{}, {{0}, {2}}).cells;
+  const long needed = search_all<1>(Ripple{}, {{0}, {2}}).cells;
   {
     const Effort little(3, {});
-    const SearchResult<1> part = search_all<1>(Wave{}, {{0}, {2}});
+    const SearchResult<1> part = search_all<1>(Ripple{}, {{0}, {2}});
     CHECK(part.cells == 3);
     CHECK(part.unresolved.front().reason == "the search was stopped at its limit of cells");
     check_that_nothing_is_lost(part);
   }
   {
     const Effort no_time({}, 1e-9);
-    const SearchResult<1> part = search_all<1>(Wave{}, {{0}, {2}});
+    const SearchResult<1> part = search_all<1>(Ripple{}, {{0}, {2}});
     CHECK(part.cells < needed);
     CHECK(part.unresolved.front().reason == "the search was stopped at its limit of time");
     check_that_nothing_is_lost(part);
@@ -143,27 +143,27 @@ TEST_CASE("a person's limits are taken in place of the search's own") {
     const Effort more({}, 1e300);
     SearchLimits limits;
     limits.cells = 3;
-    CHECK(search_all<1>(Wave{}, {{0}, {2}}, limits).complete());
+    CHECK(search_all<1>(Ripple{}, {{0}, {2}}, limits).complete());
   }
   SearchLimits limits;
   limits.cells = 3;
-  CHECK_FALSE(search_all<1>(Wave{}, {{0}, {2}}, limits).complete());
+  CHECK_FALSE(search_all<1>(Ripple{}, {{0}, {2}}, limits).complete());
 }
 
 TEST_CASE("an interrupted search stops and loses nothing") {
-  const SearchResult<1> whole = search_all<1>(Wave{}, {{0}, {2}});
+  const SearchResult<1> whole = search_all<1>(Ripple{}, {{0}, {2}});
   SearchResult<1> part;
   {
     const Interruptible scope;
     std::atomic<int> asked = 0;  // by the threads that examine a batch
-    const KrawczykContractor<1, Wave> contractor{};
+    const KrawczykContractor<1, Ripple> contractor{};
     const auto interrupted_contractor = [&](const Box<1>& X) {
       if (++asked == 4) {
         std::raise(SIGINT);
       }
       return contractor(X);
     };
-    part = search<1>({{0}, {2}}, interrupted_contractor, KrawczykDecider<1, Wave>{});
+    part = search<1>({{0}, {2}}, interrupted_contractor, KrawczykDecider<1, Ripple>{});
     CHECK(asked >= 4);
     CHECK(asked < whole.cells);
   }
