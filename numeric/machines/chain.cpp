@@ -41,7 +41,7 @@ Node Link::response(const Node& F) const {
 }
 
 Node midpoint(const Node& u) {
-  return u.unaryExpr([](const Ball& x) { return x.midpoint(); });
+  return zeros::midpoints(u);
 }
 
 Nodes midpoints(const Nodes& nodes) {

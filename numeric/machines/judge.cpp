@@ -203,10 +203,7 @@ std::array<Ball, 4> Watched::at(const Ball& s, std::size_t derivative, const InD
   }
   std::array<Ball, 4> result;
   for (std::size_t i = 0; i < 4; ++i) {
-    result[i] = d[i + derivative];
-    if (!is_inside) {
-      arb_indeterminate(result[i].raw());
-    }
+    result[i] = is_inside ? d[i + derivative] : scalars::anything();
   }
   return result;
 }
@@ -256,9 +253,7 @@ std::optional<std::array<Ball, 3>> Watched::quotient_at(double s, std::size_t de
 }
 
 motion::DerivativeBounds Watched::bounds(std::size_t derivative) const {
-  motion::DerivativeBounds unknown;
-  arb_indeterminate(unknown.third.raw());
-  arb_indeterminate(unknown.fourth.raw());
+  const motion::DerivativeBounds unknown{scalars::anything(), scalars::anything()};
   if (!covers_) {
     return unknown;
   }

@@ -350,9 +350,7 @@ Ball add_terms(X& x, const Ball& s, double enough, const Next& next) {
     }
   }
   const Ball room = Ball(1) - s;
-  Ball share;
-  arb_indeterminate(share.raw());
-  return room.is_positive() ? Ball(rest / room).upper() : share;
+  return room.is_positive() ? Ball(rest / room).upper() : scalars::anything();
 }
 
 }  // namespace
@@ -379,8 +377,7 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   });
   for (Eigen::Index k = 0; k < X.cols(); ++k) {
     for (Eigen::Index i = 0; i < X.rows(); ++i) {
-      const Ball R = Ball(units_(i) * sizes(k) * share).upper();
-      X(i, k) += Ball::hull(-R, R);
+      X(i, k) += scalars::within(units_(i) * sizes(k) * share);
     }
   }
   return zeros::product(known.of_middle, X);
@@ -437,9 +434,7 @@ LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
     for (std::size_t m = 1; m + i <= watch.rows.size(); ++m) {
       watch.rest[i] = watch.rest[i] * reach / Ball(static_cast<long>(m));
     }
-    if (!is_short) {
-      arb_indeterminate(watch.rest[i].raw());
-    }
+    watch.rest[i] = is_short ? watch.rest[i] : scalars::anything();
     factor = factor * watch.nu;
   }
   return watch;

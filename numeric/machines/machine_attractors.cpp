@@ -10,6 +10,7 @@
 #include "core/interruption.hpp"
 #include "numeric/attractors/survey.hpp"
 #include "numeric/machines/reaching.hpp"
+#include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -25,10 +26,6 @@ std::vector<Piece> pieces_of(const MachineGuess& guess) {
     pieces.push_back(event.begins);
   }
   return pieces;
-}
-
-Eigen::VectorXd in_double(const Vector& X) {
-  return X.unaryExpr([](const Ball& x) { return x.approximate(); });
 }
 
 // As survey.hpp asks for it.
@@ -49,7 +46,7 @@ struct MachineProofs {
   [[nodiscard]] static const MachineOrbit& judged(const MachineOrbit& orbit) { return orbit; }
   [[nodiscard]] static std::string word(const MachineOrbit& orbit) { return word_of(orbit.pieces); }
   [[nodiscard]] static Eigen::VectorXd begins_at(const MachineOrbit& orbit) {
-    return in_double(orbit.phases.front().state);
+    return zeros::in_double(orbit.phases.front().state);
   }
   [[nodiscard]] Eigen::VectorXd at_phase_0(const MachineOrbit& orbit) const {
     const double theta = std::fmod(orbit.load.approximate(), 2 * std::numbers::pi);
@@ -108,7 +105,7 @@ std::vector<Eigen::VectorXd> states_of(const Machine& machine, const MachineAttr
     motion::PhaseKind before = a.orbit->phases.back().piece.kind;
     for (const MachinePhase& phase : a.orbit->phases) {
       if (phase.piece.kind != before) {
-        states.push_back(in_double(phase.state));
+        states.push_back(zeros::in_double(phase.state));
       }
       before = phase.piece.kind;
     }

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "numeric/machines/judge.hpp"
 #include "numeric/words/word.hpp"
+#include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -212,9 +213,7 @@ MachineGuess guess_of(const MachineOrbit& orbit, const Machine& machine) {
   const bool autonomous = machine.oscillator.is_autonomous();
   const double begin = autonomous ? 0 : orbit.load.approximate() / oscillator_as<double>(machine).omega;
   for (const MachinePhase& phase : orbit.phases) {
-    guess.events.push_back({begin + phase.start.approximate(),
-                            phase.state.unaryExpr([](const Ball& x) { return x.approximate(); }),
-                            phase.piece});
+    guess.events.push_back({begin + phase.start.approximate(), zeros::in_double(phase.state), phase.piece});
   }
   return guess;
 }

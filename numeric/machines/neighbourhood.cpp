@@ -30,7 +30,7 @@ bool contracts(const Matrix& A) {
   if (!room.is_positive()) {
     return false;
   }
-  const Matrix M = A.unaryExpr([](const Ball& x) { return x.midpoint(); });
+  const Matrix M = zeros::midpoints(A);
   Matrix G = -Matrix(product(M.transpose(), M));
   for (Eigen::Index k = 0; k < G.rows(); ++k) {
     G(k, k) += room * room;
@@ -81,7 +81,7 @@ class Return {
     j_ = phases.masses() + phases.rubbing();
     if (autonomous_) {
       first_ = (first_ + 1) % count;
-      centre_ = orbit.phases[first_].state.unaryExpr([](const Ball& x) { return x.midpoint(); });
+      centre_ = zeros::midpoints(orbit.phases[first_].state);
       centre_(j_) = Ball(speed_between(machine.oscillator, orbit.pieces[(first_ + count - 1) % count],
                                        orbit.pieces[first_]));
       proved_ = orbit.phases[first_].state;
@@ -93,7 +93,7 @@ class Return {
     time_ = Ball(Ball(begin + phase.duration / Ball(2)).approximate());
     proved_ = passage(phases, phase.piece, phases.whole(phase.state, omega * begin), time_ - begin, false)
                   .reached.head(phase.state.size());
-    centre_ = proved_.unaryExpr([](const Ball& x) { return x.midpoint(); });
+    centre_ = zeros::midpoints(proved_);
     period_ = Ball(2 * orbit.periods) * Ball::pi() / omega;
   }
 
