@@ -43,9 +43,7 @@ Return seen_in(const model::FrictionOscillator<double>& o, const std::vector<Tra
       result.word += words::letter(t.after);
     }
   }
-  std::rotate(result.word.begin(),
-              result.word.begin() + static_cast<std::ptrdiff_t>(words::first_rotation(result.word)),
-              result.word.end());
+  result.word = words::in_first_rotation(result.word);
   return result;
 }
 
@@ -73,9 +71,7 @@ Return shortest(const Return& seen, bool has_load, double nearness, double Omega
     }
     if (same) {
       Return once = seen;
-      once.guess.events.resize(part);
-      once.guess.duration /= static_cast<double>(times);
-      once.guess.periods = has_load ? seen.guess.periods / static_cast<long>(times) : 1;
+      once.guess = seen.guess.once_of(static_cast<long>(times), has_load);
       once.word.resize(seen.word.size() / times);
       once.once.resize(seen.once.size() / times);
       return once;

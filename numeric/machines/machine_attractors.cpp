@@ -20,14 +20,6 @@ using AnySimulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
 
 namespace {
 
-std::vector<Piece> pieces_of(const MachineGuess& guess) {
-  std::vector<Piece> pieces;
-  for (const MachineGuess::Event& event : guess.events) {
-    pieces.push_back(event.begins);
-  }
-  return pieces;
-}
-
 // As survey.hpp asks for it.
 struct MachineProofs {
   using Attractor = MachineAttractor;
@@ -192,7 +184,7 @@ MachineWordOrbits from_start(const MachineWord& q) {
   MachineWordOrbits result{q, {}, {}};
   const bool autonomous = q.machine.oscillator.is_autonomous();
   const auto attempt = [&](const MachineGuess& guess) {
-    if (guess.events.size() < 2 || !is_of(q, word_of(pieces_of(guess)), guess.periods)) {
+    if (guess.events.size() < 2 || !is_of(q, word_of(guess.pieces()), guess.periods)) {
       return false;
     }
     const MachineOrbit orbit = prove_machine_orbit(q.machine, guess, q.digits);
@@ -207,7 +199,7 @@ MachineWordOrbits from_start(const MachineWord& q) {
   const Settled end = settle(q.machine, *q.near);
   if (!attempt(end.guess)) {
     result.seen = "the motion from there: " +
-                  name_of(end.kind, word_of(pieces_of(end.guess)), end.guess.periods, autonomous);
+                  name_of(end.kind, word_of(end.guess.pieces()), end.guess.periods, autonomous);
   }
   result.interrupted = interrupted();
   return result;
