@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/error.hpp"
 #include "core/sinc.hpp"
@@ -467,15 +468,10 @@ InData<Matrix> LinearPhases::watched(Piece piece) const {
 }
 
 InData<Matrix> LinearPhases::whole(const InData<Matrix>& state, const InData<Ball>& theta) const {
-  const auto at = [&](Eigen::Index row, const auto& x) {
-    Matrix w = Matrix::Constant(size_, 1, Ball(0));
-    w.middleRows(row, x.rows()) = x;
-    return w;
-  };
   const auto number_at = [&](Eigen::Index row) {
-    return [&, row](const Ball& x) { return at(row, Matrix(Matrix::Constant(1, 1, x))); };
+    return [&, row](const Ball& x) { return Matrix(placed(x, row, size_)); };
   };
-  InData<Matrix> w = mapped(state, [&](const Matrix& x) { return at(0, x); });
+  InData<Matrix> w = mapped(state, [&](const Matrix& x) { return placed(x, 0, size_); });
   w += InData<Matrix>(number_at(2 * n_)(Ball(1)));
   for (const int multiple : multiples_) {
     const auto [sine, cosine] = sin_cos(theta * Ball(multiple));
@@ -485,8 +481,15 @@ InData<Matrix> LinearPhases::whole(const InData<Matrix>& state, const InData<Bal
   return w;
 }
 
+std::vector<Eigen::Index> LinearPhases::rows_but_speed() const {
+  std::vector<Eigen::Index> rows(static_cast<std::size_t>(2 * n_));
+  std::iota(rows.begin(), rows.end(), 0);
+  rows.erase(rows.begin() + speed_row());
+  return rows;
+}
+
 Vector LinearPhases::speed() const {
-  return Vector::Unit(size_, n_ + rubbing());
+  return Vector::Unit(size_, speed_row());
 }
 Vector LinearPhases::one() const {
   return Vector::Unit(size_, 2 * n_);

@@ -42,6 +42,9 @@ class LinearPhases {
   [[nodiscard]] const model::FrictionOscillator<Ball>& oscillator() const { return oscillator_; }
   [[nodiscard]] Eigen::Index masses() const { return n_; }
   [[nodiscard]] Eigen::Index rubbing() const { return static_cast<Eigen::Index>(oscillator_.rubbing); }
+  // Where w has x_j', and the other rows of (x, x').
+  [[nodiscard]] Eigen::Index speed_row() const { return n_ + rubbing(); }
+  [[nodiscard]] std::vector<Eigen::Index> rows_but_speed() const;
 
   // Whether the friction on the piece follows a smooth law: then it is no part of B, and what is said of
   // flows and watches does not hold (smooth_phase.hpp).

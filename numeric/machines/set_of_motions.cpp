@@ -212,7 +212,7 @@ Vector SetFlow::whole(const Vector& u) const {
 
 std::optional<Piece> SetFlow::piece_of(const Vector& states, const Ball& time) const {
   const model::FrictionOscillator<Ball>& o = phases_.oscillator();
-  const Ball relative = o.V - states(phases_.masses() + phases_.rubbing());
+  const Ball relative = o.V - states(phases_.speed_row());
   if (is_zero(relative)) {
     const Ball r = dot(phases_.friction_at_rest(), phases_.whole(states, o.omega * time));
     const bool sticks = (o.forward.at_rest - r).is_positive() && (o.backward.at_rest + r).is_positive();
@@ -237,7 +237,7 @@ std::optional<Piece> SetFlow::piece_of(const Vector& states, const Ball& time) c
 
 // At a time, the time, at an event x_j'.
 Eigen::Index SetFlow::known_row(const SetOfMotions& set) const {
-  return set.before ? 1 + phases_.masses() + phases_.rubbing() : 0;
+  return set.before ? 1 + phases_.speed_row() : 0;
 }
 
 Verdict SetFlow::judge(const SetOfMotions& set, const Ball& duration, const std::optional<Piece>& after,
@@ -346,7 +346,7 @@ Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about
     end.before = set.piece;
     end.piece = after_it;
     end.passed.push_back(after_it);
-    fix(end, 1 + phases_.masses() + phases_.rubbing(), speed);
+    fix(end, 1 + phases_.speed_row(), speed);
     Verdict verdict = judge(set, durations, after_it, end);
     if (set.timeless) {
       fix(end, 0, end.time());
@@ -377,7 +377,7 @@ Verdict SetFlow::to_time(SetOfMotions& set, const Ball& time) const {
   fix(end, 0, time);
   end.before.reset();
   if (set.piece.kind == PhaseKind::stick) {
-    fix(end, 1 + phases_.masses() + phases_.rubbing(), phases_.oscillator().V);
+    fix(end, 1 + phases_.speed_row(), phases_.oscillator().V);
   }
   Verdict verdict = judge(set, durations, {}, end);
   set = end;

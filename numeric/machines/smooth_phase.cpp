@@ -15,7 +15,7 @@ constexpr long box_bits = 64;
 constexpr int bits_of_a_length = 30;
 
 Ball relative_velocity(const LinearPhases& phases, int side, const Vector& w) {
-  return Ball(side) * (phases.oscillator().V - w(phases.masses() + phases.rubbing()));
+  return Ball(side) * (phases.oscillator().V - w(phases.speed_row()));
 }
 
 const Ball& mass_of(const LinearPhases& phases) {
@@ -49,8 +49,7 @@ Piece piece_of(int side) {
 Vector smooth_rate(const LinearPhases& phases, int side, const Vector& w) {
   const model::SmoothFriction<Ball>& law = *phases.oscillator().law(side).smooth;
   Vector rate = sparse_product(phases.drift(piece_of(side)), w);
-  rate(phases.masses() + phases.rubbing()) +=
-      Ball(side) * law.force(relative_velocity(phases, side, w)) / mass_of(phases);
+  rate(phases.speed_row()) += Ball(side) * law.force(relative_velocity(phases, side, w)) / mass_of(phases);
   return rate;
 }
 
@@ -63,7 +62,7 @@ SmoothPhase::SmoothPhase(const LinearPhases& phases, int side, const Vector& w, 
       direction_(reversed ? -1 : 1),
       with_derivative_(with_derivative),
       states_(2 * phases.masses()),
-      speed_(phases.masses() + phases.rubbing()),
+      speed_(phases.speed_row()),
       balance_(balance(drift_)),
       balance_in_double_(zeros::in_double(balance_)),
       T_(T),
