@@ -223,7 +223,8 @@ ChainProof open(const char * reason) {
   return {Verdict::undecided(reason), 0, {}, {}, {}};
 }
 
-std::vector<Link> links_of(const Chain& chain, const Nodes& nodes) {
+template <class All>
+std::vector<Link> links_of(const Chain& chain, const All& nodes) {
   std::vector<Link> links;
   links.reserve(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -347,6 +348,15 @@ Nodes boxes(const Nodes& nodes, long exponent) {
   return X;
 }
 
+bool is_inside(const Nodes& nodes, const Nodes& room) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!zeros::is_interior<Eigen::Dynamic>(nodes[i], room[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
 ChainProof test(const Chain& chain, const Nodes& m, long exponent) {
   const Nodes X = boxes(m, exponent);
   const std::vector<Link> links = links_of(chain, X);
@@ -357,9 +367,9 @@ ChainProof test(const Chain& chain, const Nodes& m, long exponent) {
   Nodes N = m;
   for (std::size_t i = 0; i < N.size(); ++i) {
     N[i] += image->deviations[i];
-    if (!zeros::is_interior<Eigen::Dynamic>(N[i], X[i])) {
-      return open("no box around the guess passed Newton's test");
-    }
+  }
+  if (!is_inside(N, X)) {
+    return open("no box around the guess passed Newton's test");
   }
   return {Verdict::proved(), WorkingPrecision::bits(), N, X, image->return_map};
 }
@@ -405,15 +415,6 @@ Nodes room_for(const Nodes& deviations) {
     u = u.unaryExpr([&](const Ball& x) { return scalars::within(Ball(2) * abs(x) + Ball(least)); });
   }
   return room;
-}
-
-bool is_inside(const Nodes& nodes, const Nodes& room) {
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!zeros::is_interior<Eigen::Dynamic>(nodes[i], room[i])) {
-      return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace
@@ -464,18 +465,11 @@ std::optional<NodesInData> approximate_chains(const Chain& chain, const Chain& i
 // of the box for one s, lies in the balls for the box.
 ChainProof prove_chains(const Chain& chain, const NodesInData& nodes, const std::vector<Known>& known) {
   constexpr int attempts = 3;
-  const auto links_at = [&](const NodesInData& X) {
-    std::vector<Link> links;
-    for (std::size_t i = 0; i < chain.size(); ++i) {
-      links.push_back(chain.link(X, i));
-    }
-    return links;
-  };
   Nodes F;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     F.emplace_back(chain.conditions(nodes, i).all());
   }
-  std::vector<Link> links = links_at(nodes);
+  std::vector<Link> links = links_of(chain, nodes);
   auto image = sweep(links, responses(links, F));
   for (int attempt = 0; attempt < attempts && image; ++attempt) {
     const Nodes room = room_for(image->deviations);
@@ -483,7 +477,7 @@ ChainProof prove_chains(const Chain& chain, const NodesInData& nodes, const std:
     for (std::size_t i = 0; i < X.size(); ++i) {
       X[i].rest = room[i];
     }
-    links = links_at(X);
+    links = links_of(chain, X);
     image = sweep(links, responses(links, F));
     if (!image || !is_inside(image->deviations, room)) {
       continue;
