@@ -7,6 +7,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/machine_along.hpp"
 
 namespace stickslip::numeric {
 namespace {
@@ -71,15 +72,7 @@ int readable_thousands(double largest) {
 
 template <class S>
 model::Machine<S> machine_over(const MachineInSI& m, const S& full_turn) {
-  const auto in = [](const Rational& q) { return S(q); };
-  return {in(m.m1),
-          in(m.m2),
-          in(m.k1),
-          in(m.k2),
-          in(m.friction_sliding),
-          in(m.belt_velocity),
-          in(m.load_amplitude),
-          full_turn * in(m.load_frequency)};
+  return machine_with<S>([&](Rational MachineInSI::*member) { return S(m.*member); }, full_turn);
 }
 
 }  // namespace
@@ -132,6 +125,22 @@ DataTaken data_taken(const MachineInSI& machine, std::optional<int> given_thousa
     *ur /= unit;
   }
   return {machine, data, ur, thousands, rounded_V};
+}
+
+DataTaken MachineAlong::taken(const Rational& value) const {
+  MachineInSI machine = at_from;
+  const Rational share = (value - from) / (to - from);
+  const auto move = [&](Rational& at, const Rational& last) { at += share * (last - at); };
+  for (Rational MachineInSI::*const member :
+       {&MachineInSI::m1, &MachineInSI::m2, &MachineInSI::k1, &MachineInSI::k2,
+        &MachineInSI::friction_sliding, &MachineInSI::belt_velocity, &MachineInSI::load_amplitude,
+        &MachineInSI::load_frequency}) {
+    move(machine.*member, at_to.*member);
+  }
+  if (machine.friction_at_rest) {
+    move(*machine.friction_at_rest, *at_to.friction_at_rest);
+  }
+  return data_taken(machine, thousands);
 }
 
 }  // namespace stickslip::numeric

@@ -9,6 +9,19 @@
 
 namespace stickslip::numeric {
 
+// Each number is `of` the member; a full turn is 2 pi.
+template <class T, class Of>
+[[nodiscard]] model::Machine<T> machine_with(const Of& of, const T& full_turn) {
+  return {of(&MachineInSI::m1),
+          of(&MachineInSI::m2),
+          of(&MachineInSI::k1),
+          of(&MachineInSI::k2),
+          of(&MachineInSI::friction_sliding),
+          of(&MachineInSI::belt_velocity),
+          of(&MachineInSI::load_amplitude),
+          T(full_turn * of(&MachineInSI::load_frequency))};
+}
+
 struct MachineAlong {
   // Between these each of the machine's values is linear in the one that varies. Both have friction at rest,
   // or neither.
@@ -61,14 +74,7 @@ struct MachineAlong {
     const auto of = [&](Rational MachineInSI::*member) {
       return linear<T, S>(at_from.*member, at_to.*member, value);
     };
-    return {of(&MachineInSI::m1),
-            of(&MachineInSI::m2),
-            of(&MachineInSI::k1),
-            of(&MachineInSI::k2),
-            of(&MachineInSI::friction_sliding),
-            of(&MachineInSI::belt_velocity),
-            of(&MachineInSI::load_amplitude),
-            T(T(S(2) * scalars::pi<S>()) * of(&MachineInSI::load_frequency))};
+    return machine_with<T>(of, T(S(2) * scalars::pi<S>()));
   }
 };
 

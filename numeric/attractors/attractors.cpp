@@ -35,7 +35,7 @@ struct WordProofs {
   }
   [[nodiscard]] std::optional<WordOrbit> prove(const Return& seen) const {
     if (in_domain) {
-      return prove_word_orbit(machine, word_guess(seen));
+      return prove_word_orbit(machine, seen.guess);
     }
     return resonant ? std::optional(WordOrbit{
                           words::Word::parse(seen.word),

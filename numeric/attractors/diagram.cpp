@@ -1,9 +1,8 @@
 #include "numeric/attractors/diagram.hpp"
 
-#include <map>
-
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "model/named_data.hpp"
 #include "numeric/attractors/settle.hpp"
 
 namespace stickslip::numeric::attractors {
@@ -14,15 +13,16 @@ namespace {
 
 // The machine with one of its data replaced.
 words::WordQuestion with(words::WordQuestion machine, const std::string& name, const Rational& value) {
-  motion::ExactParameters& a = machine.data;
-  const std::map<std::string, Rational *> all{{"chi", &a.chi},    {"eta", &a.eta},     {"us", &a.us},
-                                              {"V", &a.V},        {"omega", &a.omega}, {"p", &a.p},
-                                              {"ur", &machine.ur}};
-  const auto found = all.find(name);
-  if (found == all.end()) {
+  for (const auto& [datum, member] : model::named_data<Rational>) {
+    if (datum == name) {
+      machine.data.*member = value;
+      return machine;
+    }
+  }
+  if (name != "ur") {
     throw UsageError("along: '" + name + "' is none of chi, eta, us, V, omega, p and ur");
   }
-  *found->second = value;
+  machine.ur = value;
   return machine;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "numeric/words/word.hpp"
 
@@ -23,6 +24,8 @@ constexpr double steadily = 1e-9;
 constexpr double least_size = 1e-6;
 // The first period whose state is compared with later ones, but for the start.
 constexpr long first_mark = 8;
+// Of a Lyapunov exponent: fewer periods say nothing.
+constexpr long fewest_periods_of_exponent = 100;
 
 // A period of the load is gone through in so many pieces of so many steps at most: a slower load is not
 // followed.
@@ -43,9 +46,7 @@ Return seen_in(const model::FrictionOscillator<double>& o, const std::vector<Tra
       result.word += words::letter(t.after);
     }
   }
-  std::rotate(result.word.begin(),
-              result.word.begin() + static_cast<std::ptrdiff_t>(words::first_rotation(result.word)),
-              result.word.end());
+  result.word = words::in_first_rotation(result.word);
   return result;
 }
 
@@ -73,9 +74,7 @@ Return shortest(const Return& seen, bool has_load, double nearness, double Omega
     }
     if (same) {
       Return once = seen;
-      once.guess.events.resize(part);
-      once.guess.duration /= static_cast<double>(times);
-      once.guess.periods = has_load ? seen.guess.periods / static_cast<long>(times) : 1;
+      once.guess = seen.guess.once_of(static_cast<long>(times), has_load);
       once.word.resize(seen.word.size() / times);
       once.once.resize(seen.once.size() / times);
       return once;
@@ -83,33 +82,6 @@ Return shortest(const Return& seen, bool has_load, double nearness, double Omega
   }
   return seen;
 }
-
-template <int N, int L>
-bool nears(simulation::SimulationOf<N, L> simulation, const typename simulation::SimulationOf<N, L>::State& X,
-           double mu, long n, long periods) {
-  constexpr double least = 1e-3;
-  constexpr long parts = 9, half = parts / 2;  // of which the first, the middle and the last are compared
-  const long returns = periods / (parts * n);
-  std::array<double, parts> farthest{};
-  for (double& most : farthest) {
-    for (long k = 0; k < returns; ++k) {
-      for (long i = 0; i < n; ++i) {
-        simulation.advance(simulation.period());
-      }
-      most = std::max(most, distance(simulation.state(), X));
-    }
-  }
-  const double expected = -std::log(mu) * static_cast<double>(half * returns);
-  const auto falls = [&](double before, double after) {
-    const double by = std::log(before / after);
-    return by > least && by > expected / 2 && by < expected * 2;
-  };
-  return falls(farthest.front(), farthest[half]) && falls(farthest[half], farthest.back());
-}
-
-template bool nears(simulation::SimulationOf<2, 1>, const model::Vector4<double>&, double, long, long);
-template bool nears(simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>, const Eigen::VectorXd&, double,
-                    long, long);
 
 std::optional<Return> AnyFollower::steady_word() const {
   constexpr long most = 8;
@@ -279,24 +251,18 @@ void FollowerOf<N, L>::classify(long periods) {
   if (kind_ != Kind::unsettled || periods < fewest_periods_of_exponent || is_too_slow_ || !has_load_) {
     return;
   }
-  const Exponent exponent = largest_exponent(simulation_, periods);
+  const Exponent exponent = this->exponent(periods);
   lyapunov_ = exponent.value;
-  kind_ = kind_by(exponent);
+  kind_ = exponent.is_positive() ? Kind::irregular
+          : exponent.is_zero()   ? Kind::quasi_periodic
+                                 : Kind::unsettled;
 }
 
-template class FollowerOf<2, 1>;
-template class FollowerOf<Eigen::Dynamic, Eigen::Dynamic>;
-
-namespace {
-
-constexpr int blocks = 20;
-constexpr double small = 1e-8;
-
-}  // namespace
-
 template <int N, int L>
-Exponent largest_exponent(simulation::SimulationOf<N, L> simulation, long periods) {
-  using State = typename simulation::SimulationOf<N, L>::State;
+Exponent FollowerOf<N, L>::exponent(long periods) const {
+  constexpr int blocks = 20;
+  constexpr double small = 1e-8;
+  Simulation simulation = simulation_;
   const long in_block = std::max(1L, periods / blocks);
   const long lead = blocks * in_block / 5;  // in which the neighbour turns into the fastest direction
   State X = simulation.state();
@@ -308,7 +274,7 @@ Exponent largest_exponent(simulation::SimulationOf<N, L> simulation, long period
     return direction;
   };
   State deviation = aside(1);
-  simulation::SimulationOf<N, L> neighbour = simulation;
+  Simulation neighbour = simulation;
   // How much the deviation grows in a period, as a logarithm; it is `size` long again after that. A neighbour
   // that falls together with the motion starts anew.
   const auto growth = [&] {
@@ -347,13 +313,60 @@ Exponent largest_exponent(simulation::SimulationOf<N, L> simulation, long period
   return {value, std::sqrt(std::max(0.0, squares / blocks - value * value) / (blocks - 1)), least};
 }
 
-template Exponent largest_exponent(simulation::SimulationOf<2, 1>, long);
-template Exponent largest_exponent(simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>, long);
+template <int N, int L>
+bool FollowerOf<N, L>::nears(const Eigen::VectorXd& X, double mu, long n, long periods) const {
+  constexpr double least = 1e-3;
+  constexpr long parts = 9, half = parts / 2;  // of which the first, the middle and the last are compared
+  Simulation simulation = simulation_;
+  const long returns = periods / (parts * n);
+  std::array<double, parts> farthest{};
+  for (double& most : farthest) {
+    for (long k = 0; k < returns; ++k) {
+      for (long i = 0; i < n; ++i) {
+        simulation.advance(simulation.period());
+      }
+      most = std::max(most, distance(simulation.state(), X));
+    }
+  }
+  const double expected = -std::log(mu) * static_cast<double>(half * returns);
+  const auto falls = [&](double before, double after) {
+    const double by = std::log(before / after);
+    return by > least && by > expected / 2 && by < expected * 2;
+  };
+  return falls(farthest.front(), farthest[half]) && falls(farthest[half], farthest.back());
+}
 
-Kind kind_by(const Exponent& exponent) {
-  return exponent.is_positive() ? Kind::irregular
-         : exponent.is_zero()   ? Kind::quasi_periodic
-                                : Kind::unsettled;
+template class FollowerOf<2, 1>;
+template class FollowerOf<Eigen::Dynamic, Eigen::Dynamic>;
+
+std::string to_string(Kind kind) {
+  switch (kind) {
+    case Kind::periodic:
+      return "periodic";
+    case Kind::quasi_periodic:
+      return "quasi-periodic";
+    case Kind::irregular:
+      return "irregular";
+    case Kind::slides:
+      return "slides";
+    case Kind::stuck:
+      return "stuck";
+    case Kind::grows:
+      return "grows without bound";
+    case Kind::unsettled:
+      return "unsettled";
+  }
+  throw InternalError("an attractor of no known kind");
+}
+
+Interval wilson(long count, long total) {
+  constexpr double z = 1.959963984540054;  // the quantile of 97.5 % of the normal distribution
+  const auto n = static_cast<double>(total);
+  const double share = static_cast<double>(count) / n;
+  const double middle = (share + z * z / (2 * n)) / (1 + z * z / n);
+  const double half = z / (1 + z * z / n) * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+  // Nothing but rounding keeps the ends of the certain shares from being exact.
+  return {count == 0 ? 0 : middle - half, count == total ? 1 : middle + half};
 }
 
 }  // namespace stickslip::numeric::attractors

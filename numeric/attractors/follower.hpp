@@ -45,14 +45,21 @@ struct Return {
 // One that goes round a shorter one several times, up to this distance, as that one.
 [[nodiscard]] Return shortest(const Return& seen, bool has_load, double nearness, double Omega);
 
-// Whether the motion, seen every n periods, comes nearer to X as motions do that near a stable orbit with a
-// largest multiplier of the size mu: its farthest in the middle of so many periods is less than in the
-// beginning, and in the end less than in the middle, both by mu to the power of the returns between, within a
-// factor 2 of the exponent. A check; less than a part in 1000 is not distinguished from a torus.
-template <int N, int L>
-[[nodiscard]] bool nears(simulation::SimulationOf<N, L> simulation,
-                         const typename simulation::SimulationOf<N, L>::State& X, double mu, long n,
-                         long periods);
+// The largest Lyapunov exponent of a simulated motion: a check, no proof.
+
+// Per period of the load: a small deviation grows by exp(value) in each, in the mean.
+struct Exponent {
+  double value = 0;
+  double error = 0;  // its standard error, from blocks
+  // What a finite time may leave of an exponent that is zero: on a torus deviations grow in proportion to
+  // time.
+  double least = 0;
+
+  [[nodiscard]] bool is_positive() const { return value > 3 * error && value > least; }
+  [[nodiscard]] bool is_negative() const { return -value > 3 * error && -value > least; }
+  // Zero as far as a long time tells: what it leaves is positive.
+  [[nodiscard]] bool is_zero() const { return -value < least / 3 && value < least && least < 0.0015; }
+};
 
 // Follows one motion. What is said of periods is said of events where there is no load.
 class AnyFollower {
@@ -93,7 +100,10 @@ class AnyFollower {
   // The fewest periods of the load, at most 8, in which the motion goes through one word again and again, and
   // the first of these repetitions; nothing where there is none, and without a load.
   [[nodiscard]] std::optional<Return> steady_word() const;
-  // As above.
+  // Whether the motion, seen every n periods, comes nearer to X as motions do that near a stable orbit with a
+  // largest multiplier of the size mu: its farthest in the middle of so many periods is less than in the
+  // beginning, and in the end less than in the middle, both by mu to the power of the returns between, within
+  // a factor 2 of the exponent. A check; less than a part in 1000 is not distinguished from a torus.
   [[nodiscard]] virtual bool nears(const Eigen::VectorXd& X, double mu, long n, long periods) const = 0;
 
  protected:
@@ -127,10 +137,11 @@ class FollowerOf : public AnyFollower {
   void classify(long periods) override;
   [[nodiscard]] Eigen::VectorXd state() const override { return simulation_.state(); }
   [[nodiscard]] Return over_periods(long n) const override;
-  [[nodiscard]] bool nears(const Eigen::VectorXd& X, double mu, long n, long periods) const override {
-    return attractors::nears(simulation_, X, mu, n, periods);
-  }
-  [[nodiscard]] const Simulation& simulation() const { return simulation_; }
+  [[nodiscard]] bool nears(const Eigen::VectorXd& X, double mu, long n, long periods) const override;
+  // The largest Lyapunov exponent: from the motion and a neighbour that is brought back to a small distance
+  // after each of so many periods, after a lead of a fifth as many. Assumes a load, whose phase is 0 now. One
+  // that is interrupted says nothing.
+  [[nodiscard]] Exponent exponent(long periods) const;
 
  private:
   using Transition = typename Simulation::Transition;
@@ -154,32 +165,5 @@ class FollowerOf : public AnyFollower {
 
 extern template class FollowerOf<2, 1>;
 extern template class FollowerOf<Eigen::Dynamic, Eigen::Dynamic>;
-
-// The largest Lyapunov exponent of a simulated motion: a check, no proof.
-
-// Per period of the load: a small deviation grows by exp(value) in each, in the mean.
-struct Exponent {
-  double value = 0;
-  double error = 0;  // its standard error, from blocks
-  // What a finite time may leave of an exponent that is zero: on a torus deviations grow in proportion to
-  // time.
-  double least = 0;
-
-  [[nodiscard]] bool is_positive() const { return value > 3 * error && value > least; }
-  [[nodiscard]] bool is_negative() const { return -value > 3 * error && -value > least; }
-  // Zero as far as a long time tells: what it leaves is positive.
-  [[nodiscard]] bool is_zero() const { return -value < least / 3 && value < least && least < 0.0015; }
-};
-
-// From the motion and a neighbour that is brought back to a small distance after each of so many periods,
-// after a lead of a fifth as many. The simulation, of an oscillator with a load, is to be at a time when its
-// phase is 0. One that is interrupted says nothing.
-template <int N, int L>
-[[nodiscard]] Exponent largest_exponent(simulation::SimulationOf<N, L> simulation, long periods);
-
-// Fewer periods say nothing.
-inline constexpr long fewest_periods_of_exponent = 100;
-// What an exponent says of a motion that does not return: irregular, quasi-periodic, or nothing, unsettled.
-[[nodiscard]] Kind kind_by(const Exponent& exponent);
 
 }  // namespace stickslip::numeric::attractors

@@ -60,14 +60,6 @@ struct LastEvent {
 
 }  // namespace
 
-words::Guess word_guess(const Return& seen) {
-  words::Guess guess{{}, seen.guess.periods};
-  for (const machines::MachineGuess::Event& event : seen.guess.events) {
-    guess.events.push_back({event.t, event.X(0), event.X(1), event.X(2), event.begins.kind});
-  }
-  return guess;
-}
-
 Vector4<double> at_phase_0(const simulation::Start& start) {
   const double turn = 2 * std::numbers::pi;
   const double phase = std::fmod(start.phi, turn);

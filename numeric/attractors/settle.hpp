@@ -14,9 +14,6 @@
 
 namespace stickslip::numeric::attractors {
 
-// The events as a guess of an orbit of a word.
-[[nodiscard]] words::Guess word_guess(const Return& seen);
-
 // The state of the motion when the load's phase is next a multiple of 2 pi.
 [[nodiscard]] model::Vector4<double> at_phase_0(const simulation::Start& start);
 

@@ -51,7 +51,7 @@ WordOrbits from_start(const WordSearch& q) {
     if (!seen || seen->word != q.word.letters()) {
       return false;
     }
-    const WordOrbit orbit = prove_word_orbit(q.machine, word_guess(*seen));
+    const WordOrbit orbit = prove_word_orbit(q.machine, seen->guess);
     const bool found = orbit.existence.truth == Truth::proved && is_of(orbit, q);
     if (found) {
       result.orbits.push_back(orbit);

@@ -41,7 +41,7 @@ Node Link::response(const Node& F) const {
 }
 
 Node midpoint(const Node& u) {
-  return u.unaryExpr([](const Ball& x) { return x.midpoint(); });
+  return zeros::midpoints(u);
 }
 
 Nodes midpoints(const Nodes& nodes) {
@@ -53,7 +53,8 @@ Nodes midpoints(const Nodes& nodes) {
 Chain::Chain(const MachineQuestion& question)
     : autonomous_(question.machine.oscillator.is_autonomous()),
       pieces_(question.pieces),
-      phases_(phases_of(question)) {
+      phases_(phases_of(question)),
+      others_(phases_.rows_but_speed()) {
   const model::FrictionOscillator<Ball>& o = phases_.oscillator();
   if (!autonomous_) {
     turn_ = Ball(2 * question.periods) * Ball::pi() / o.omega;
@@ -90,26 +91,14 @@ Ball Chain::duration(const Nodes& nodes, std::size_t i) const {
 }
 
 Vector Chain::with(const Ball& speed, const Node& node) const {
-  const Eigen::Index n = phases_.masses();
-  const Eigen::Index j = n + phases_.rubbing();
-  Vector state(2 * n);
-  state.head(j) = node.segment(1, j);
-  state(j) = speed;
-  state.tail(2 * n - 1 - j) = node.tail(2 * n - 1 - j);
+  Vector state(node.size());
+  state(others_) = node.tail(node.size() - 1);
+  state(phases_.speed_row()) = speed;
   return state;
 }
 
 Vector Chain::state(const Nodes& nodes, std::size_t i) const {
   return with(speeds_[i], nodes[i]);
-}
-
-Vector Chain::without(const Vector& state) const {
-  const Eigen::Index j = phases_.masses() + phases_.rubbing();
-  const Eigen::Index rest = 2 * phases_.masses() - 1 - j;
-  Vector result(j + rest);
-  result.head(j) = state.head(j);
-  result.tail(rest) = state.segment(j + 1, rest);
-  return result;
 }
 
 Vector Chain::beginning(const Nodes& nodes, std::size_t i) const {
@@ -141,13 +130,12 @@ Node Chain::conditions(const Nodes& nodes, std::size_t i) const {
 
 Spread Chain::spread() const {
   const Eigen::Index n = phases_.masses();
-  const Eigen::Index j = n + phases_.rubbing();
   Spread node{Vector::Constant(2 * n, Ball(0)), Matrix::Constant(2 * n, 2 * n, Ball(0))};
   if (!autonomous_) {
     node.time(0) = Ball(1);
   }
   for (Eigen::Index k = 1; k < 2 * n; ++k) {
-    node.state(k - 1 < j ? k - 1 : k, k) = Ball(1);
+    node.state(others_[static_cast<std::size_t>(k - 1)], k) = Ball(1);
   }
   return node;
 }
@@ -194,13 +182,8 @@ InData<Matrix> Chain::conditions(const NodesInData& nodes, std::size_t i) const 
   InData<Matrix> apart = mapped(phase.reached, [&](const Matrix& w) { return Matrix(-without(w)); });
   apart +=
       mapped(nodes[(i + 1) % size()], [&](const Matrix& node) { return Matrix(node.bottomRows(2 * n - 1)); });
-  const auto at = [&](Eigen::Index row, const Matrix& x) {
-    Matrix F = Matrix::Constant(2 * n, 1, Ball(0));
-    F.middleRows(row, x.rows()) = x;
-    return F;
-  };
-  InData<Matrix> F = mapped(apart, [&](const Matrix& x) { return at(0, x); });
-  F += mapped(phase.event * phase.reached, [&](const Matrix& x) { return at(2 * n - 1, x); });
+  InData<Matrix> F = mapped(apart, [&](const Matrix& x) { return placed(x, 0, 2 * n); });
+  F += mapped(phase.event * phase.reached, [&](const Matrix& x) { return placed(x, 2 * n - 1, 2 * n); });
   return F;
 }
 
@@ -233,21 +216,10 @@ Link Chain::link(const NodesInData& nodes, std::size_t i) const {
   state += mapped(arrives, top) * longer;
   InData<Matrix> times = longer;
   times += InData<Matrix>(time);
-  const auto at = [&](Eigen::Index row, const Matrix& x) {
-    Matrix A = Matrix::Constant(states, states, Ball(0));
-    A.middleRows(row, x.rows()) = x;
-    return A;
-  };
-  Link link{mapped(times, [&](const Matrix& row) { return at(0, row); }), Node(states), rate.all()};
-  link.M += mapped(state, [&](const Matrix& A) {
-    Matrix rows(states - 1, states);
-    for (Eigen::Index k = 0; k < states; ++k) {
-      rows.col(k) = without(A.col(k));
-    }
-    return at(1, rows);
-  });
-  link.end_velocity(0) = Ball(1);
-  link.end_velocity.tail(states - 1) = without(arrives.all());
+  Link link{mapped(times, [&](const Matrix& row) { return placed(row, 0, states); }), Node(states),
+            rate.all()};
+  link.M += mapped(state, [&](const Matrix& A) { return placed(without(A), 1, states); });
+  link.end_velocity << Ball(1), without(arrives.all());
   return link;
 }
 
@@ -262,9 +234,7 @@ std::vector<double> Chain::changes(const NodesInData& nodes) const {
     };
     for (std::size_t i = 0; i < this->size(); ++i) {
       const double h = duration(nodes, i).c[0].approximate();
-      const auto in_units = [&](const Matrix& B) {
-        return zeros::norm(Matrix(units.cwiseInverse().asDiagonal() * B * units.asDiagonal())).approximate();
-      };
+      const auto in_units = [&](const Matrix& B) { return size_in(units, B).approximate(); };
       const auto in_unit = [&](const Matrix& w) {
         return zeros::norm(Matrix(units.cwiseInverse().asDiagonal() * w)).approximate();
       };
@@ -285,14 +255,10 @@ Link Chain::link(const Nodes& nodes, std::size_t i) const {
   const Spread reached = at_event(course, D, spread());
   Link link;
   link.end_velocity.resize(2 * n);
-  link.end_velocity(0) = Ball(1);
-  link.end_velocity.tail(2 * n - 1) = without(course.arrives);
+  link.end_velocity << Ball(1), without(course.arrives);
   link.rate = dot(D, course.arrives);
   Matrix M(2 * n, 2 * n);
-  M.row(0) = reached.time.transpose();
-  for (Eigen::Index k = 0; k < 2 * n; ++k) {
-    M.col(k).tail(2 * n - 1) = without(reached.state.col(k));
-  }
+  M << reached.time.transpose(), without(reached.state);
   link.M = InData<Matrix>(M);
   return link;
 }

@@ -101,13 +101,17 @@ class Chain {
   [[nodiscard]] Course course(const NodesInData& nodes, std::size_t i) const;
   // (x, x') with x_j' put in, and without.
   [[nodiscard]] Vector with(const Ball& speed, const Node& node) const;
-  [[nodiscard]] Vector without(const Vector& state) const;
+  template <class M>
+  [[nodiscard]] M without(const M& state) const {
+    return state(others_, Eigen::all);
+  }
 
   bool autonomous_;
   std::vector<Piece> pieces_;
   LinearPhases phases_;
-  std::vector<Ball> speeds_;  // x_j' at the nodes
-  Ball turn_;                 // of all periods
+  std::vector<Eigen::Index> others_;  // rows of (x, x') but that of x_j'
+  std::vector<Ball> speeds_;          // x_j' at the nodes
+  Ball turn_;                         // of all periods
   // For all machines these.
   std::vector<InData<Ball>> speeds_in_data_;
   InData<Ball> omega_in_data_, turn_in_data_;

@@ -13,13 +13,8 @@ namespace stickslip::numeric::machines {
 
 using zeros::in_double;
 using zeros::product;
-using Matrix = model::MatrixX<Ball>;
 
 namespace {
-
-Matrix middles(const Matrix& A) {
-  return A.unaryExpr([](const Ball& x) { return x.midpoint(); });
-}
 
 bool is_finite(const Matrix& A) {
   return std::all_of(A.data(), A.data() + A.size(), [](const Ball& entry) { return entry.is_finite(); });
@@ -98,9 +93,9 @@ std::optional<Matrix> enclosed_inverse(const Matrix& A, const Matrix& Y) {
     for (Eigen::Index i = 0; i < n; ++i) {
       column += abs(Y(i, j));
     }
-    const Ball spread = Ball(excess * column).upper();
+    const Ball spread = scalars::within(excess * column);
     for (Eigen::Index i = 0; i < n; ++i) {
-      inverse(i, j) += Ball::hull(-spread, spread);
+      inverse(i, j) += spread;
     }
   }
   return inverse;
@@ -121,7 +116,7 @@ std::optional<Node> solved(const InData<Matrix>& P, const Node& v) {
   Y.c.resize(P.c.size());
   for (std::size_t i = 1; i < P.c.size(); ++i) {
     if (monomial(i).degree() == 1 && !is_none(P.c[i])) {
-      Y.c[i] = middles(product(*inverse, Matrix(product(P.c[i], *inverse))));
+      Y.c[i] = zeros::midpoints(product(*inverse, Matrix(product(P.c[i], *inverse))));
     }
   }
   InData<Matrix> E = Y * P;
@@ -136,9 +131,9 @@ std::optional<Node> solved(const InData<Matrix>& P, const Node& v) {
   for (const Ball& entry : x) {
     arb_max(largest.raw(), largest.raw(), abs(entry).upper().raw(), WorkingPrecision::bits());
   }
-  const Ball most = Ball(largest * e / room).upper();
+  const Ball off = scalars::within(largest * e / room);
   for (Ball& entry : x) {
-    entry += Ball::hull(-most, most);
+    entry += off;
   }
   return x;
 }
@@ -228,7 +223,8 @@ ChainProof open(const char * reason) {
   return {Verdict::undecided(reason), 0, {}, {}, {}};
 }
 
-std::vector<Link> links_of(const Chain& chain, const Nodes& nodes) {
+template <class All>
+std::vector<Link> links_of(const Chain& chain, const All& nodes) {
   std::vector<Link> links;
   links.reserve(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -352,6 +348,15 @@ Nodes boxes(const Nodes& nodes, long exponent) {
   return X;
 }
 
+bool is_inside(const Nodes& nodes, const Nodes& room) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!zeros::is_interior<Eigen::Dynamic>(nodes[i], room[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
 ChainProof test(const Chain& chain, const Nodes& m, long exponent) {
   const Nodes X = boxes(m, exponent);
   const std::vector<Link> links = links_of(chain, X);
@@ -362,9 +367,9 @@ ChainProof test(const Chain& chain, const Nodes& m, long exponent) {
   Nodes N = m;
   for (std::size_t i = 0; i < N.size(); ++i) {
     N[i] += image->deviations[i];
-    if (!zeros::is_interior<Eigen::Dynamic>(N[i], X[i])) {
-      return open("no box around the guess passed Newton's test");
-    }
+  }
+  if (!is_inside(N, X)) {
+    return open("no box around the guess passed Newton's test");
   }
   return {Verdict::proved(), WorkingPrecision::bits(), N, X, image->return_map};
 }
@@ -407,21 +412,9 @@ Nodes room_for(const Nodes& deviations) {
   const double least = std::exp2(-static_cast<double>(WorkingPrecision::bits()) / 2);
   Nodes room = deviations;
   for (Node& u : room) {
-    u = u.unaryExpr([&](const Ball& x) {
-      const Ball most = Ball(Ball(2) * abs(x) + Ball(least)).upper();
-      return Ball::hull(-most, most);
-    });
+    u = u.unaryExpr([&](const Ball& x) { return scalars::within(Ball(2) * abs(x) + Ball(least)); });
   }
   return room;
-}
-
-bool is_inside(const Nodes& nodes, const Nodes& room) {
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!zeros::is_interior<Eigen::Dynamic>(nodes[i], room[i])) {
-      return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace
@@ -438,7 +431,7 @@ std::optional<NodesInData> approximate_chains(const Chain& chain, const Chain& i
   const std::size_t count = monomials(chain.data());
   NodesInData nodes;
   for (const Node& u : middle) {
-    nodes.emplace_back(middles(Matrix(u))).c.resize(count);
+    nodes.emplace_back(zeros::midpoints(Matrix(u))).c.resize(count);
   }
   for (std::size_t degree = 1; degree <= highest_degree; ++degree) {
     std::vector<InData<Matrix>> F;
@@ -461,7 +454,7 @@ std::optional<NodesInData> approximate_chains(const Chain& chain, const Chain& i
         return std::nullopt;
       }
       for (std::size_t i = 0; i < nodes.size(); ++i) {
-        nodes[i].c[place] = middles(found->deviations[i]);
+        nodes[i].c[place] = zeros::midpoints(found->deviations[i]);
       }
     }
   }
@@ -472,18 +465,11 @@ std::optional<NodesInData> approximate_chains(const Chain& chain, const Chain& i
 // of the box for one s, lies in the balls for the box.
 ChainProof prove_chains(const Chain& chain, const NodesInData& nodes, const std::vector<Known>& known) {
   constexpr int attempts = 3;
-  const auto links_at = [&](const NodesInData& X) {
-    std::vector<Link> links;
-    for (std::size_t i = 0; i < chain.size(); ++i) {
-      links.push_back(chain.link(X, i));
-    }
-    return links;
-  };
   Nodes F;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     F.emplace_back(chain.conditions(nodes, i).all());
   }
-  std::vector<Link> links = links_at(nodes);
+  std::vector<Link> links = links_of(chain, nodes);
   auto image = sweep(links, responses(links, F));
   for (int attempt = 0; attempt < attempts && image; ++attempt) {
     const Nodes room = room_for(image->deviations);
@@ -491,7 +477,7 @@ ChainProof prove_chains(const Chain& chain, const NodesInData& nodes, const std:
     for (std::size_t i = 0; i < X.size(); ++i) {
       X[i].rest = room[i];
     }
-    links = links_at(X);
+    links = links_of(chain, X);
     image = sweep(links, responses(links, F));
     if (!image || !is_inside(image->deviations, room)) {
       continue;

@@ -105,10 +105,7 @@ InData<Matrix> exponential(const InData<Matrix>& A, const Vector& units) {
   InData<Matrix> E(Matrix::Identity(n, n));
   const double size = size_in(units, all).approximate();
   if (!(size < std::exp2(most_halvings))) {
-    for (Ball& entry : E.c[0].reshaped()) {
-      arb_indeterminate(entry.raw());
-    }
-    return E;
+    return InData<Matrix>(Matrix::Constant(n, n, scalars::anything()));
   }
   const int halvings = size > 0.5 ? static_cast<int>(std::ceil(std::log2(size))) + 1 : 0;
   const InData<Matrix> part = A * Ball(std::exp2(-halvings));
@@ -126,8 +123,7 @@ InData<Matrix> exponential(const InData<Matrix>& A, const Vector& units) {
   Matrix rest = Matrix::Constant(n, n, Ball(0));
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index k = 0; k < n; ++k) {
-      const Ball most = Ball(Ball(2) * power * units(i) / units(k)).upper();
-      rest(i, k) = pattern(i, k) != 0 ? Ball::hull(-most, most) : Ball(0);
+      rest(i, k) = pattern(i, k) != 0 ? scalars::within(Ball(2) * power * units(i) / units(k)) : Ball(0);
     }
   }
   add(E.rest, rest);

@@ -242,6 +242,19 @@ template <class M>
   return product(f, g, [](const M& x, const M& y) { return M(zeros::product(x, y)); });
 }
 
+// x, a matrix or a number, as the rows from that one on of a matrix of so many that is zero else.
+template <class M>
+[[nodiscard]] M placed(const M& x, Eigen::Index from, Eigen::Index rows) {
+  M A = M::Constant(rows, x.cols(), Ball(0));
+  A.middleRows(from, x.rows()) = x;
+  return A;
+}
+[[nodiscard]] inline model::VectorX<Ball> placed(const Ball& x, Eigen::Index from, Eigen::Index rows) {
+  model::VectorX<Ball> A = model::VectorX<Ball>::Constant(rows, Ball(0));
+  A(from) = x;
+  return A;
+}
+
 // The matrix of these functions.
 template <class Entries>
 [[nodiscard]] InData<model::MatrixX<Ball>> together(const Eigen::MatrixBase<Entries>& entries) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/machines/passage.hpp"
 #include "numeric/machines/smooth_phase.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
@@ -49,16 +50,19 @@ Watched::Watched(const LinearPhases& phases, Piece piece, const InData<Matrix>& 
 
 void Watched::follow(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T) {
   const SmoothPhase phase(phases, piece.side(), w, T, reversed_, false);
-  const Eigen::Index speed = phases.masses() + phases.rubbing();
+  const Eigen::Index speed = phases.speed_row();
   for (const SmoothPhase::Step& step : phase.steps()) {
     Vector terms(static_cast<Eigen::Index>(step.w.size()));
-    std::vector<double> guess;
-    for (const Vector& coefficient : step.w) {
-      terms(static_cast<Eigen::Index>(guess.size())) = coefficient(speed);
-      guess.push_back(coefficient(speed).approximate());
+    for (Eigen::Index k = 0; k < terms.size(); ++k) {
+      terms(k) = step.w[static_cast<std::size_t>(k)](speed);
     }
-    stretches_.push_back(
-        {step.start, step.length * SmoothPhase::longer, {}, InData<Vector>(terms), terms, guess, {}});
+    stretches_.push_back({step.start,
+                          step.length * SmoothPhase::longer,
+                          {},
+                          InData<Vector>(terms),
+                          terms,
+                          zeros::in_double(terms),
+                          {}});
   }
   count_ = stretches_.size();
   covers_ = count_ > 0 &&
@@ -69,15 +73,10 @@ void Watched::follow(const LinearPhases& phases, Piece piece, const Vector& w, c
 InData<Vector> Watched::terms_at(const InData<Matrix>& w) const {
   const auto count = static_cast<Eigen::Index>(watch_->rows.size());
   if (!phases_.is_over_data()) {
-    return mapped(w, [&](const Matrix& one) {
-      Vector terms = Vector::Constant(count, Ball(0));
+    return mapped(w, [&](const Vector& one) {
+      Vector terms(count);
       for (Eigen::Index m = 0; m < count; ++m) {
-        const Vector& row = watch_->rows[static_cast<std::size_t>(m)];
-        for (Eigen::Index i = 0; i < row.size(); ++i) {
-          if (!is_zero(row(i))) {
-            add_product(terms(m), row(i), one(i));
-          }
-        }
+        terms(m) = dot(watch_->rows[static_cast<std::size_t>(m)], one);
       }
       return terms;
     });
@@ -87,11 +86,7 @@ InData<Vector> Watched::terms_at(const InData<Matrix>& w) const {
   InData<Matrix> term = w;
   InData<Vector> terms;
   for (Eigen::Index m = 0; m < count; ++m) {
-    terms += mapped(row * term, [&](const Matrix& x) {
-      Vector at_m = Vector::Constant(count, Ball(0));
-      at_m(m) = x(0, 0);
-      return at_m;
-    });
+    terms += mapped(row * term, [&](const Matrix& x) { return placed(x(0, 0), m, count); });
     term = product(B, term, sparse_product<Matrix>) * (Ball(1) / Ball(static_cast<long>(m + 1)));
   }
   return terms;
@@ -116,14 +111,12 @@ const Watched::Stretch& Watched::stretch(std::size_t k) const {
     stretches_.push_back({start, watch_->length, w, {}, {}, {}, {}});
   }
   Stretch& found = stretches_[k];
-  if (!found.guess.empty()) {
+  if (found.guess.size() > 0) {
     return found;
   }
   found.terms = terms_at(found.w);
   found.all = found.terms.all();
-  for (const Ball& term : found.terms.c[0]) {
-    found.guess.push_back(term.approximate());
-  }
+  found.guess = zeros::in_double(found.terms.c[0]);
   const Ball of_w = watch_->size * largest(found.w.all(), watch_->balance);
   for (std::size_t i = 0; i < found.rest.size(); ++i) {
     found.rest[i] = Ball(of_w * watch_->rest[i]).upper();
@@ -143,9 +136,9 @@ std::size_t Watched::stretch_of(double s) const {
 namespace {
 
 // The first derivatives, each over i!, of the polynomial with these coefficients.
-template <std::size_t N>
-std::array<Ball, N> horner(const Vector& terms, const Ball& r, std::size_t count) {
-  std::array<Ball, N> d;
+template <std::size_t N, class S>
+std::array<S, N> horner(const model::VectorX<S>& terms, const S& r, std::size_t count) {
+  std::array<S, N> d{};
   for (Eigen::Index m = terms.size(); m-- > 0;) {
     for (std::size_t i = count - 1; i > 0; --i) {
       d[i] *= r;
@@ -190,11 +183,7 @@ std::array<Ball, 4> Watched::at(const Ball& s, std::size_t derivative, const InD
       d[0] += offset.c[0];
     } else {
       InData<Vector> terms = here.terms;
-      terms += mapped(offset, [&](const Ball& x) {
-        Vector at_first = Vector::Constant(here.all.size(), Ball(0));
-        at_first(0) = x;
-        return at_first;
-      });
+      terms += mapped(offset, [&](const Ball& x) { return placed(x, 0, here.all.size()); });
       add_for_all(d, terms, r, count);
     }
     for (std::size_t i = 0; i < count; ++i) {
@@ -203,10 +192,7 @@ std::array<Ball, 4> Watched::at(const Ball& s, std::size_t derivative, const InD
   }
   std::array<Ball, 4> result;
   for (std::size_t i = 0; i < 4; ++i) {
-    result[i] = d[i + derivative];
-    if (!is_inside) {
-      arb_indeterminate(result[i].raw());
-    }
+    result[i] = is_inside ? d[i + derivative] : scalars::anything();
   }
   return result;
 }
@@ -215,13 +201,7 @@ std::array<double, 4> Watched::guess_at(double s, std::size_t derivative) const 
   std::array<double, 4 + most_derivatives> d{};
   if (count_ > 0) {
     const Stretch& here = stretch(stretch_of(s));
-    const double r = s - here.start;
-    for (std::size_t m = here.guess.size(); m-- > 0;) {
-      for (std::size_t i = d.size() - 1; i > 0; --i) {
-        d[i] = d[i] * r + d[i - 1];
-      }
-      d[0] = d[0] * r + here.guess[m];
-    }
+    d = horner<4 + most_derivatives>(here.guess, s - here.start, d.size());
   }
   std::array<double, 4> result{};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -256,9 +236,7 @@ std::optional<std::array<Ball, 3>> Watched::quotient_at(double s, std::size_t de
 }
 
 motion::DerivativeBounds Watched::bounds(std::size_t derivative) const {
-  motion::DerivativeBounds unknown;
-  arb_indeterminate(unknown.third.raw());
-  arb_indeterminate(unknown.fourth.raw());
+  const motion::DerivativeBounds unknown{scalars::anything(), scalars::anything()};
   if (!covers_) {
     return unknown;
   }
@@ -288,23 +266,23 @@ motion::DerivativeBounds Watched::bounds(std::size_t derivative) const {
   return {Ball(third * rounding + tiny), Ball(fourth * rounding + tiny)};
 }
 
-std::array<Ball, 4> AffineCourse::at(double s) const {
-  std::array<Ball, 4> d = f_.at(Ball(view_.origin) + Ball(view_.direction * s), view_.derivative, offset_);
+// Derivatives by the time as those by s.
+template <class S>
+std::array<S, 4> AffineCourse::seen(std::array<S, 4> d) const {
   int sign = sign_;
-  for (Ball& number : d) {
-    number *= Ball(sign);
+  for (S& number : d) {
+    number *= S(sign);
     sign *= view_.direction;
   }
   return d;
 }
 
+std::array<Ball, 4> AffineCourse::at(double s) const {
+  return seen(f_.at(Ball(view_.origin) + Ball(view_.direction * s), view_.derivative, offset_));
+}
+
 std::array<double, 4> AffineCourse::guess_at(double s) const {
-  std::array<double, 4> d = f_.guess_at(view_.origin + view_.direction * s, view_.derivative);
-  int sign = sign_;
-  for (double& number : d) {
-    number *= sign;
-    sign *= view_.direction;
-  }
+  std::array<double, 4> d = seen(f_.guess_at(view_.origin + view_.direction * s, view_.derivative));
   d[0] += sign_ * offset_.c[0].approximate();
   return d;
 }

@@ -39,7 +39,7 @@ class Watched {
     InData<Matrix> w;      // at its beginning, where it is linear
     InData<Vector> terms;  // the Taylor coefficients there
     Vector all;            // of these
-    std::vector<double> guess;
+    Eigen::VectorXd guess;
     LinearPhases::Rest rest;  // what they leave out of the function and its derivatives is not more
   };
   [[nodiscard]] const Stretch& stretch(std::size_t k) const;
@@ -77,6 +77,9 @@ class AffineCourse : public motion::Course {
   [[nodiscard]] std::array<Ball, 3> quotient_at(double s) const override;
 
  private:
+  template <class S>
+  [[nodiscard]] std::array<S, 4> seen(std::array<S, 4> d) const;
+
   const Watched& f_;
   int sign_;
   InData<Ball> offset_;  // sign (sign f + offset) = f + offset_

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/error.hpp"
 #include "core/sinc.hpp"
@@ -37,7 +38,7 @@ LinearPhases::LinearPhases(const model::FrictionOscillator<Ball>& oscillator)
       start_box(model::mapped<double>(oscillator, [](const Ball& x) { return x.approximate(); })).half;
   units_ = Vector::Constant(size_, Ball(1));
   units_.head(2 * n_) = half.unaryExpr([](double x) { return Ball(std::exp2(std::round(std::log2(x)))); });
-  r_ = row_of_r(oscillator_);
+  r_ = -forces_on(oscillator_, rubbing());
 }
 
 LinearPhases::LinearPhases(const OscillatorInData& machines)
@@ -45,59 +46,42 @@ LinearPhases::LinearPhases(const OscillatorInData& machines)
   machines_ = machines;
 }
 
-// Without friction m_j x_j'' = -r.
 template <class S>
-model::VectorX<S> LinearPhases::row_of_r(const model::FrictionOscillator<S>& oscillator) const {
-  model::VectorX<S> r = model::VectorX<S>::Constant(size_, S(Ball(0)));
+model::VectorX<S> LinearPhases::forces_on(const model::FrictionOscillator<S>& oscillator,
+                                          Eigen::Index mass) const {
+  model::VectorX<S> F = model::VectorX<S>::Constant(size_, S(Ball(0)));
   for (Eigen::Index k = 0; k < n_; ++k) {
-    r(k) = oscillator.stiffness(rubbing(), k);
-    r(n_ + k) = oscillator.damping(rubbing(), k);
+    F(k) -= oscillator.stiffness(mass, k);
+    F(n_ + k) -= oscillator.damping(mass, k);
   }
   for (const model::HarmonicForce<S>& load : oscillator.loads) {
-    if (load.mass != oscillator.rubbing) {
+    if (static_cast<Eigen::Index>(load.mass) != mass) {
       continue;
     }
-    const auto found = std::find(multiples_.begin(), multiples_.end(), load.k);
-    if (found == multiples_.end()) {
-      r(2 * n_) -= load.cosine;
+    if (load.k == 0) {
+      F(2 * n_) += load.cosine;
       continue;
     }
-    const Eigen::Index k = 2 * n_ + 1 + 2 * (found - multiples_.begin());
-    r(k) -= load.cosine;
-    r(k + 1) -= load.sine;
+    F(row_of_cosine(load.k)) += load.cosine;
+    F(row_of_cosine(load.k) + 1) += load.sine;
   }
-  return r;
+  return F;
 }
 
 template <class S>
 model::MatrixX<S> LinearPhases::forces(const model::FrictionOscillator<S>& oscillator, Piece piece) const {
   const Eigen::Index j = rubbing();
   model::MatrixX<S> F = model::MatrixX<S>::Constant(size_, size_, S(Ball(0)));
-  for (Eigen::Index i = 0; i < n_; ++i) {
-    F(i, n_ + i) = S(Ball(1));
-    for (Eigen::Index k = 0; i != j && k < n_; ++k) {
-      F(n_ + i, k) -= oscillator.stiffness(i, k);
-      F(n_ + i, n_ + k) -= oscillator.damping(i, k);
-    }
-  }
-  for (std::size_t l = 0; l < multiples_.size(); ++l) {
-    const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
-    F(k + 1, k) = oscillator.omega * Ball(multiples_[l]);
+  for (const int multiple : multiples_) {
+    const Eigen::Index k = row_of_cosine(multiple);
+    F(k + 1, k) = oscillator.omega * Ball(multiple);
     F(k, k + 1) -= F(k + 1, k);
   }
-  for (const model::HarmonicForce<S>& load : oscillator.loads) {
-    if (load.mass == oscillator.rubbing) {
-      continue;
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    F(i, n_ + i) = S(Ball(1));
+    if (i != j || piece.kind != PhaseKind::stick) {
+      F.row(n_ + i) = forces_on(oscillator, i).transpose();
     }
-    const Eigen::Index i = n_ + static_cast<Eigen::Index>(load.mass);
-    const auto found = std::find(multiples_.begin(), multiples_.end(), load.k);
-    if (found == multiples_.end()) {
-      F(i, 2 * n_) += load.cosine;
-      continue;
-    }
-    const Eigen::Index k = 2 * n_ + 1 + 2 * (found - multiples_.begin());
-    F(i, k) += load.cosine;
-    F(i, k + 1) += load.sine;
   }
   if (piece.kind == PhaseKind::stick) {
     return F;
@@ -105,10 +89,6 @@ model::MatrixX<S> LinearPhases::forces(const model::FrictionOscillator<S>& oscil
   // m x_j'' = u - r, u = side (force + slope (side (V - x_j') - from)).
   if (piece.number < 0 || static_cast<std::size_t>(piece.number) >= oscillator.law(piece.side()).pieces()) {
     throw InternalError("the friction law has no such piece");
-  }
-  const model::VectorX<S> r = row_of_r(oscillator);
-  for (Eigen::Index k = 0; k < size_; ++k) {
-    F(n_ + j, k) -= r(k);
   }
   if (is_smooth(piece)) {
     return F;
@@ -249,9 +229,9 @@ Matrix LinearPhases::in_closed_form(const Modes& modes, const Ball& t) const {
   for (Eigen::Index i = 0; i < n_; ++i) {
     U(i, n_ + i) = t;
   }
-  for (std::size_t l = 0; l < multiples_.size(); ++l) {
-    const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
-    const auto [sine, cosine] = sin_cos(Ball(Ball(multiples_[l]) * oscillator_.omega * t));
+  for (const int multiple : multiples_) {
+    const Eigen::Index k = row_of_cosine(multiple);
+    const auto [sine, cosine] = sin_cos(Ball(Ball(multiple) * oscillator_.omega * t));
     U(k, k) = U(k + 1, k + 1) = cosine;
     U(k, k + 1) = -sine;
     U(k + 1, k) = sine;
@@ -371,9 +351,7 @@ Ball add_terms(X& x, const Ball& s, double enough, const Next& next) {
     }
   }
   const Ball room = Ball(1) - s;
-  Ball share;
-  arb_indeterminate(share.raw());
-  return room.is_positive() ? Ball(rest / room).upper() : share;
+  return room.is_positive() ? Ball(rest / room).upper() : scalars::anything();
 }
 
 }  // namespace
@@ -400,8 +378,7 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   });
   for (Eigen::Index k = 0; k < X.cols(); ++k) {
     for (Eigen::Index i = 0; i < X.rows(); ++i) {
-      const Ball R = Ball(units_(i) * sizes(k) * share).upper();
-      X(i, k) += Ball::hull(-R, R);
+      X(i, k) += scalars::within(units_(i) * sizes(k) * share);
     }
   }
   return zeros::product(known.of_middle, X);
@@ -458,9 +435,7 @@ LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
     for (std::size_t m = 1; m + i <= watch.rows.size(); ++m) {
       watch.rest[i] = watch.rest[i] * reach / Ball(static_cast<long>(m));
     }
-    if (!is_short) {
-      arb_indeterminate(watch.rest[i].raw());
-    }
+    watch.rest[i] = is_short ? watch.rest[i] : scalars::anything();
     factor = factor * watch.nu;
   }
   return watch;
@@ -477,9 +452,9 @@ Vector LinearPhases::whole(const Vector& state, const Ball& theta) const {
   Vector w(size_);
   w.head(2 * n_) = state;
   w(2 * n_) = Ball(1);
-  for (std::size_t l = 0; l < multiples_.size(); ++l) {
-    const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
-    const auto [sine, cosine] = sin_cos(Ball(Ball(multiples_[l]) * theta));
+  for (const int multiple : multiples_) {
+    const Eigen::Index k = row_of_cosine(multiple);
+    const auto [sine, cosine] = sin_cos(Ball(Ball(multiple) * theta));
     w(k) = cosine;
     w(k + 1) = sine;
   }
@@ -488,40 +463,36 @@ Vector LinearPhases::whole(const Vector& state, const Ball& theta) const {
 
 InData<Matrix> LinearPhases::watched(Piece piece) const {
   return piece.kind == PhaseKind::stick && machines_
-             ? together(row_of_r(machines_->numbers).transpose())
+             ? together(forces_on(machines_->numbers, rubbing()).transpose()) * Ball(-1)
              : InData<Matrix>(Matrix((piece.kind == PhaseKind::stick ? r_ : speed()).transpose()));
 }
 
 InData<Matrix> LinearPhases::whole(const InData<Matrix>& state, const InData<Ball>& theta) const {
-  const auto at = [&](Eigen::Index row, const auto& x) {
-    Matrix w = Matrix::Constant(size_, 1, Ball(0));
-    w.middleRows(row, x.rows()) = x;
-    return w;
-  };
   const auto number_at = [&](Eigen::Index row) {
-    return [&, row](const Ball& x) { return at(row, Matrix(Matrix::Constant(1, 1, x))); };
+    return [&, row](const Ball& x) { return Matrix(placed(x, row, size_)); };
   };
-  InData<Matrix> w = mapped(state, [&](const Matrix& x) { return at(0, x); });
+  InData<Matrix> w = mapped(state, [&](const Matrix& x) { return placed(x, 0, size_); });
   w += InData<Matrix>(number_at(2 * n_)(Ball(1)));
-  for (std::size_t l = 0; l < multiples_.size(); ++l) {
-    const auto [sine, cosine] = sin_cos(theta * Ball(multiples_[l]));
-    const Eigen::Index k = 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(l);
-    w += mapped(cosine, number_at(k));
-    w += mapped(sine, number_at(k + 1));
+  for (const int multiple : multiples_) {
+    const auto [sine, cosine] = sin_cos(theta * Ball(multiple));
+    w += mapped(cosine, number_at(row_of_cosine(multiple)));
+    w += mapped(sine, number_at(row_of_cosine(multiple) + 1));
   }
   return w;
 }
 
-Vector LinearPhases::speed() const {
-  Vector row = Vector::Constant(size_, Ball(0));
-  row(n_ + rubbing()) = Ball(1);
-  return row;
+std::vector<Eigen::Index> LinearPhases::rows_but_speed() const {
+  std::vector<Eigen::Index> rows(static_cast<std::size_t>(2 * n_));
+  std::iota(rows.begin(), rows.end(), 0);
+  rows.erase(rows.begin() + speed_row());
+  return rows;
 }
 
+Vector LinearPhases::speed() const {
+  return Vector::Unit(size_, speed_row());
+}
 Vector LinearPhases::one() const {
-  Vector row = Vector::Constant(size_, Ball(0));
-  row(2 * n_) = Ball(1);
-  return row;
+  return Vector::Unit(size_, 2 * n_);
 }
 
 }  // namespace stickslip::numeric::machines

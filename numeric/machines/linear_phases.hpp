@@ -4,6 +4,7 @@
 // piece of its motion, and what the friction law compares, r and the relative velocity, are rows times w.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <map>
@@ -41,6 +42,9 @@ class LinearPhases {
   [[nodiscard]] const model::FrictionOscillator<Ball>& oscillator() const { return oscillator_; }
   [[nodiscard]] Eigen::Index masses() const { return n_; }
   [[nodiscard]] Eigen::Index rubbing() const { return static_cast<Eigen::Index>(oscillator_.rubbing); }
+  // Where w has x_j', and the other rows of (x, x').
+  [[nodiscard]] Eigen::Index speed_row() const { return n_ + rubbing(); }
+  [[nodiscard]] std::vector<Eigen::Index> rows_but_speed() const;
 
   // Whether the friction on the piece follows a smooth law: then it is no part of B, and what is said of
   // flows and watches does not hold (smooth_phase.hpp).
@@ -124,9 +128,14 @@ class LinearPhases {
   // M B, of one machine or all; row n + i without the mass i of x_i'' where it moves.
   template <class S>
   [[nodiscard]] model::MatrixX<S> forces(const model::FrictionOscillator<S>& oscillator, Piece piece) const;
-  // What times w is r, as a column.
+  // What times w is the force on a mass but for friction, as a column: of the mass that rubs -r.
   template <class S>
-  [[nodiscard]] model::VectorX<S> row_of_r(const model::FrictionOscillator<S>& oscillator) const;
+  [[nodiscard]] model::VectorX<S> forces_on(const model::FrictionOscillator<S>& oscillator,
+                                            Eigen::Index mass) const;
+  // Where w has cos k theta, and after it sin k theta.
+  [[nodiscard]] Eigen::Index row_of_cosine(int multiple) const {
+    return 2 * n_ + 1 + 2 * (std::ranges::find(multiples_, multiple) - multiples_.begin());
+  }
   template <class M>
   [[nodiscard]] M moved(Piece piece, const Ball& h, M X) const;
   [[nodiscard]] Watch make_watch(Piece piece, bool reversed) const;

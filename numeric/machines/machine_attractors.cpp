@@ -10,6 +10,7 @@
 #include "core/interruption.hpp"
 #include "numeric/attractors/survey.hpp"
 #include "numeric/machines/reaching.hpp"
+#include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -18,18 +19,6 @@ using attractors::Return;
 using AnySimulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
 
 namespace {
-
-std::vector<Piece> pieces_of(const MachineGuess& guess) {
-  std::vector<Piece> pieces;
-  for (const MachineGuess::Event& event : guess.events) {
-    pieces.push_back(event.begins);
-  }
-  return pieces;
-}
-
-Eigen::VectorXd in_double(const Vector& X) {
-  return X.unaryExpr([](const Ball& x) { return x.approximate(); });
-}
 
 // As survey.hpp asks for it.
 struct MachineProofs {
@@ -49,7 +38,7 @@ struct MachineProofs {
   [[nodiscard]] static const MachineOrbit& judged(const MachineOrbit& orbit) { return orbit; }
   [[nodiscard]] static std::string word(const MachineOrbit& orbit) { return word_of(orbit.pieces); }
   [[nodiscard]] static Eigen::VectorXd begins_at(const MachineOrbit& orbit) {
-    return in_double(orbit.phases.front().state);
+    return zeros::in_double(orbit.phases.front().state);
   }
   [[nodiscard]] Eigen::VectorXd at_phase_0(const MachineOrbit& orbit) const {
     const double theta = std::fmod(orbit.load.approximate(), 2 * std::numbers::pi);
@@ -108,7 +97,7 @@ std::vector<Eigen::VectorXd> states_of(const Machine& machine, const MachineAttr
     motion::PhaseKind before = a.orbit->phases.back().piece.kind;
     for (const MachinePhase& phase : a.orbit->phases) {
       if (phase.piece.kind != before) {
-        states.push_back(in_double(phase.state));
+        states.push_back(zeros::in_double(phase.state));
       }
       before = phase.piece.kind;
     }
@@ -195,7 +184,7 @@ MachineWordOrbits from_start(const MachineWord& q) {
   MachineWordOrbits result{q, {}, {}};
   const bool autonomous = q.machine.oscillator.is_autonomous();
   const auto attempt = [&](const MachineGuess& guess) {
-    if (guess.events.size() < 2 || !is_of(q, word_of(pieces_of(guess)), guess.periods)) {
+    if (guess.events.size() < 2 || !is_of(q, word_of(guess.pieces()), guess.periods)) {
       return false;
     }
     const MachineOrbit orbit = prove_machine_orbit(q.machine, guess, q.digits);
@@ -210,7 +199,7 @@ MachineWordOrbits from_start(const MachineWord& q) {
   const Settled end = settle(q.machine, *q.near);
   if (!attempt(end.guess)) {
     result.seen = "the motion from there: " +
-                  name_of(end.kind, word_of(pieces_of(end.guess)), end.guess.periods, autonomous);
+                  name_of(end.kind, word_of(end.guess.pieces()), end.guess.periods, autonomous);
   }
   result.interrupted = interrupted();
   return result;

@@ -58,25 +58,14 @@ MachineGuess beyond(const MachineGuess& a, double omega_a, const MachineGuess& b
   return guess;
 }
 
-// The numbers of a guess, and a guess with these.
-Eigen::VectorXd numbers_of(const MachineGuess& guess) {
-  const Eigen::Index n = guess.events[0].X.size() + 1;
-  Eigen::VectorXd all(1 + n * static_cast<Eigen::Index>(guess.events.size()));
-  all(0) = guess.duration;
-  for (std::size_t i = 0; i < guess.events.size(); ++i) {
-    all(1 + n * static_cast<Eigen::Index>(i)) = guess.events[i].t;
-    all.segment(2 + n * static_cast<Eigen::Index>(i), n - 1) = guess.events[i].X;
+// f of each number of a guess.
+template <class Guess, class F>
+void for_numbers_of(Guess& guess, const F& f) {
+  f(guess.duration);
+  for (auto& event : guess.events) {
+    f(event.t);
+    std::for_each(event.X.begin(), event.X.end(), f);
   }
-  return all;
-}
-MachineGuess with_numbers(MachineGuess guess, const Eigen::VectorXd& all) {
-  const Eigen::Index n = guess.events[0].X.size() + 1;
-  guess.duration = all(0);
-  for (std::size_t i = 0; i < guess.events.size(); ++i) {
-    guess.events[i].t = all(1 + n * static_cast<Eigen::Index>(i));
-    guess.events[i].X = all.segment(2 + n * static_cast<Eigen::Index>(i), n - 1);
-  }
-  return guess;
 }
 
 bool is_fold(const MachineSample& a, const MachineSample& b) {
@@ -186,6 +175,10 @@ class Walk {
     const double share = a.value == b.value ? 0 : Rational((value - b.value) / (b.value - a.value)).get_d();
     const MachineGuess guess = beyond(guess_of(a.orbit, at_a), frequency(at_a), guess_of(b.orbit, at_b),
                                       frequency(at_b), share, frequency(machine));
+    return proved_near(value, machine, guess);
+  }
+  [[nodiscard]] std::optional<MachineSample> proved_near(const Rational& value, const Machine& machine,
+                                                         const MachineGuess& guess) const {
     const MachineOrbit orbit = prove_machine_orbit(machine, guess, q_.digits);
     if (orbit.existence.truth != Truth::proved || distance(guess_of(orbit, machine), guess) > most_astray) {
       return std::nullopt;
@@ -206,22 +199,19 @@ class Walk {
         return std::nullopt;
       }
     }
-    std::array<Eigen::VectorXd, 3> y;
+    std::array<std::vector<double>, 3> y;
+    std::size_t k = 0;  // of the number that changes most
     for (std::size_t i = 0; i < 3; ++i) {
       const MachineGuess guess = guess_of(three.at(i)->orbit, q_.at(three.at(i)->value));
-      y.at(i) = numbers_of(guess);
+      for_numbers_of(guess, [&](double x) { y.at(i).push_back(x); });
     }
-    Eigen::Index k = 0;
-    Eigen::VectorXd(y[2] - y[0])
-        .cwiseAbs()
-        .cwiseQuotient((y[0].cwiseAbs().array() + 1e-9).matrix())
-        .maxCoeff(&k);
-    const std::array<double, 3> x{y[0](k), y[1](k), y[2](k)};
-    const auto at = [&](double place, const auto& value) {
-      const double l0 = (place - x[1]) * (place - x[2]) / ((x[0] - x[1]) * (x[0] - x[2]));
-      const double l1 = (place - x[0]) * (place - x[2]) / ((x[1] - x[0]) * (x[1] - x[2]));
-      return value(0) * l0 + value(1) * l1 + value(2) * (1 - l0 - l1);
+    const auto change = [&](std::size_t i) {
+      return std::abs(y[2][i] - y[0][i]) / (std::abs(y[0][i]) + 1e-9);
     };
+    for (std::size_t i = 1; i < y[0].size(); ++i) {
+      k = change(i) > change(k) ? i : k;
+    }
+    const std::array<double, 3> x{y[0][k], y[1][k], y[2][k]};
     const auto datum = [&](std::size_t i) {
       return Rational(three.at(i)->value - before.back().value).get_d();
     };
@@ -231,21 +221,26 @@ class Walk {
     const double curvature = (slope12 - slope01) / (x[2] - x[0]);
     const double fold = (x[0] + x[1]) / 2 - slope01 / (2 * curvature);
     const double place = 2 * fold - x[2];
-    Eigen::VectorXd numbers(y[0].size());
-    for (Eigen::Index i = 0; i < numbers.size(); ++i) {
-      numbers(i) = at(place, [&](std::size_t l) { return y.at(l)(i); });
-    }
-    if (!numbers.allFinite() || !(std::abs(fold - x[0]) < std::abs(x[0] - x[2]) / 2)) {
-      return std::nullopt;
-    }
+    const double l0 = (place - x[1]) * (place - x[2]) / ((x[0] - x[1]) * (x[0] - x[2]));
+    const double l1 = (place - x[0]) * (place - x[2]) / ((x[1] - x[0]) * (x[1] - x[2]));
     const Machine machine = q_.at(three[2]->value);
-    const MachineGuess guess = with_numbers(guess_of(three[2]->orbit, machine), numbers);
-    const MachineOrbit orbit = prove_machine_orbit(machine, guess, q_.digits);
-    if (orbit.existence.truth != Truth::proved || distance(guess_of(orbit, machine), guess) > most_astray ||
-        is_same(orbit, three[2]->orbit)) {
+    MachineGuess guess = guess_of(three[2]->orbit, machine);
+    std::size_t number = 0;
+    bool finite = true;
+    for_numbers_of(guess, [&](double& one) {
+      one = y[0][number] * l0 + y[1][number] * l1 + y[2][number] * (1 - l0 - l1);
+      finite = finite && std::isfinite(one);
+      ++number;
+    });
+    if (!finite || !(std::abs(fold - x[0]) < std::abs(x[0] - x[2]) / 2)) {
       return std::nullopt;
     }
-    return MachineSample{three[2]->value, state_of(orbit), orbit, false, true};
+    std::optional<MachineSample> found = proved_near(three[2]->value, machine, guess);
+    if (!found || is_same(found->orbit, three[2]->orbit)) {
+      return std::nullopt;
+    }
+    found->after_fold = true;
+    return found;
   }
 
   // As far as their durations tell; `shift`: begun with so many phases later.

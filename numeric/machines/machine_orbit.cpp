@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "numeric/machines/judge.hpp"
 #include "numeric/words/word.hpp"
+#include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
 
@@ -105,6 +106,32 @@ void decide(MachineOrbit& orbit, const MachineQuestion& question, const ChainPro
 
 }  // namespace
 
+std::vector<Piece> MachineGuess::pieces() const {
+  std::vector<Piece> all;
+  std::ranges::transform(events, std::back_inserter(all), &Event::begins);
+  return all;
+}
+
+double MachineGuess::lasts(std::size_t i) const {
+  return (i + 1 < events.size() ? events[i + 1].t : events[0].t + duration) - events[i].t;
+}
+
+MachineGuess MachineGuess::begun_at(std::size_t i) const {
+  MachineGuess result = *this;
+  for (std::size_t k = 0; k < i; ++k) {
+    result.events[k].t += duration;
+  }
+  std::rotate(result.events.begin(), result.events.begin() + static_cast<std::ptrdiff_t>(i),
+              result.events.end());
+  return result;
+}
+
+MachineGuess MachineGuess::once_of(long times, bool has_load) const {
+  MachineGuess once{events, has_load ? periods / times : 1, duration / static_cast<double>(times)};
+  once.events.resize(events.size() / static_cast<std::size_t>(times));
+  return once;
+}
+
 Nodes nodes_of(const MachineGuess& guess, const Machine& machine) {
   const auto n = static_cast<Eigen::Index>(machine.oscillator.size());
   const Eigen::Index j = n + static_cast<Eigen::Index>(machine.oscillator.rubbing);
@@ -152,9 +179,33 @@ std::string word_of(const std::vector<Piece>& pieces, bool with_pieces) {
   if (letters.empty() && !pieces.empty()) {  // it never leaves this phase
     letters = words::letter(pieces[0].kind);
   }
-  std::rotate(letters.begin(), letters.begin() + static_cast<std::ptrdiff_t>(words::first_rotation(letters)),
-              letters.end());
-  return letters;
+  return words::in_first_rotation(letters);
+}
+
+std::pair<Verdict, long> prove_while_open(const MachineQuestion& question, const MachineGuess& guess,
+                                          int digits, long most_bits, int more_attempts,
+                                          const std::function<bool(const ChainProof&)>& decide) {
+  Nodes nodes = nodes_of(guess, question.machine);
+  Verdict existence;
+  long bits = scalars::bits_for(digits) + 32;
+  for (int attempt = 0; attempt <= more_attempts && bits <= most_bits; ++attempt) {
+    const ChainProof proof = prove_chain(question, nodes, bits, most_bits);
+    if (proof.verdict.truth != Truth::proved) {
+      existence = attempt == 0 ? proof.verdict : existence;
+      break;
+    }
+    const auto [times, verdict] = repetition(question, proof);
+    existence = verdict;
+    if (verdict.truth != Truth::proved || times > 1) {
+      return {verdict, verdict.truth == Truth::proved ? times : 1};
+    }
+    if (!decide(proof)) {
+      break;
+    }
+    nodes = midpoints(proof.nodes);
+    bits = 4 * proof.bits;
+  }
+  return {existence, 1};
 }
 
 MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& guess, int digits,
@@ -164,11 +215,7 @@ MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& gue
     throw DomainError("a guess of a periodic motion", fmt::format("{} events", guess.events.size()),
                       "at least two");
   }
-  MachineQuestion question{machine, {}, guess.periods};
-  for (const MachineGuess::Event& event : guess.events) {
-    question.pieces.push_back(event.begins);
-  }
-  Nodes nodes = nodes_of(guess, machine);
+  const MachineQuestion question{machine, guess.pieces(), guess.periods};
   MachineOrbit orbit;
   orbit.pieces = question.pieces;
   orbit.periods = guess.periods;
@@ -178,32 +225,16 @@ MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& gue
       return orbit;
     }
   }
-  long bits = scalars::bits_for(digits) + 32;
-  for (int attempt = 0; attempt <= more_attempts && bits <= most_bits; ++attempt) {
-    const ChainProof proof = prove_chain(question, nodes, bits, most_bits);
-    if (proof.verdict.truth != Truth::proved) {
-      orbit.existence = attempt == 0 ? proof.verdict : orbit.existence;
-      break;
-    }
-    const auto [times, verdict] = repetition(question, proof);
-    if (verdict.truth != Truth::proved) {
-      orbit.existence = verdict;
-      break;
-    }
-    if (times > 1) {
-      const bool autonomous = machine.oscillator.is_autonomous();
-      MachineGuess shorter{guess.events, autonomous ? guess.periods : guess.periods / times,
-                           guess.duration / static_cast<double>(times)};
-      shorter.events.resize(guess.events.size() / static_cast<std::size_t>(times));
-      return prove_machine_orbit(machine, shorter, digits, most_bits);
-    }
-    orbit = decided(question, proof);
-    if (!is_open(orbit)) {
-      break;
-    }
-    nodes = midpoints(proof.nodes);
-    bits = 4 * proof.bits;
+  const auto [existence, times] =
+      prove_while_open(question, guess, digits, most_bits, more_attempts, [&](const ChainProof& proof) {
+        orbit = decided(question, proof);
+        return is_open(orbit);
+      });
+  if (times > 1) {
+    return prove_machine_orbit(machine, guess.once_of(times, !machine.oscillator.is_autonomous()), digits,
+                               most_bits);
   }
+  orbit.existence = existence;
   return orbit;
 }
 
@@ -212,9 +243,7 @@ MachineGuess guess_of(const MachineOrbit& orbit, const Machine& machine) {
   const bool autonomous = machine.oscillator.is_autonomous();
   const double begin = autonomous ? 0 : orbit.load.approximate() / oscillator_as<double>(machine).omega;
   for (const MachinePhase& phase : orbit.phases) {
-    guess.events.push_back({begin + phase.start.approximate(),
-                            phase.state.unaryExpr([](const Ball& x) { return x.approximate(); }),
-                            phase.piece});
+    guess.events.push_back({begin + phase.start.approximate(), zeros::in_double(phase.state), phase.piece});
   }
   return guess;
 }
@@ -222,10 +251,7 @@ MachineGuess guess_of(const MachineOrbit& orbit, const Machine& machine) {
 double distance(const MachineGuess& a, const MachineGuess& b) {
   double farthest = std::abs(a.duration - b.duration) / b.duration;
   for (std::size_t i = 0; i < a.events.size(); ++i) {
-    const auto next = [&](const MachineGuess& g) {
-      return (i + 1 < g.events.size() ? g.events[i + 1].t : g.events[0].t + g.duration) - g.events[i].t;
-    };
-    farthest = std::max({farthest, std::abs(next(a) - next(b)) / b.duration,
+    farthest = std::max({farthest, std::abs(a.lasts(i) - b.lasts(i)) / b.duration,
                          (a.events[i].X - b.events[i].X).lpNorm<Eigen::Infinity>() /
                              std::max(b.events[i].X.lpNorm<Eigen::Infinity>(), 1e-300)});
   }

@@ -1,9 +1,11 @@
 // A periodic motion of a machine through given pieces, proved near a guess, with everything decided about it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "numeric/machines/chain_proof.hpp"
@@ -23,6 +25,14 @@ struct MachineGuess {
   std::vector<Event> events;  // in their order, at least two
   long periods = 1;           // n
   double duration = 0;        // of all
+
+  [[nodiscard]] std::vector<Piece> pieces() const;
+  // Of the phase that begins at event i.
+  [[nodiscard]] double lasts(std::size_t i) const;
+  // Begun with event i.
+  [[nodiscard]] MachineGuess begun_at(std::size_t i) const;
+  // The first of so many times that it goes round a shorter motion.
+  [[nodiscard]] MachineGuess once_of(long times, bool has_load) const;
 };
 
 // Of what a simulation meets: on a smooth law there is one piece to a side, where the simulation goes through
@@ -75,6 +85,15 @@ struct MachineOrbit {
 // Letters of the phases, as in words/word.hpp, in the first rotation; pieces of one phase are one letter, or,
 // where `with_pieces` asks for it, S1, S2, … after each other.
 [[nodiscard]] std::string word_of(const std::vector<Piece>& pieces, bool with_pieces = false);
+
+// Proves the chain that Newton's method reaches from the guess, each value to that many significant digits,
+// and hands it to `decide`; with four times the bits, so many times more at most, as long as that says that
+// something is open. The verdict on its existence, and how many times it is a shorter one: then only that is
+// known.
+[[nodiscard]] std::pair<Verdict, long> prove_while_open(const MachineQuestion& question,
+                                                        const MachineGuess& guess, int digits, long most_bits,
+                                                        int more_attempts,
+                                                        const std::function<bool(const ChainProof&)>& decide);
 
 // Proves what Newton's method reaches from the guess, each value to that many significant digits, with more
 // bits where a condition or the stability is open. When that is a shorter motion taken several times, the

@@ -134,11 +134,9 @@ class Search {
         numbers_(box.at, box.low, box.high),
         effort_(effort),
         periods_(motions.front().guess.periods),
+        pieces_(motions.front().guess.pieces()),
         why_(numbers_.why_not()),
         whole_(between(box.low, box.high)) {
-    for (const MachineGuess::Event& event : motions.front().guess.events) {
-      pieces_.push_back(event.begins);
-    }
     if (!why_.empty()) {
       return;
     }

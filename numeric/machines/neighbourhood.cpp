@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
@@ -30,7 +31,7 @@ bool contracts(const Matrix& A) {
   if (!room.is_positive()) {
     return false;
   }
-  const Matrix M = A.unaryExpr([](const Ball& x) { return x.midpoint(); });
+  const Matrix M = zeros::midpoints(A);
   Matrix G = -Matrix(product(M.transpose(), M));
   for (Eigen::Index k = 0; k < G.rows(); ++k) {
     G(k, k) += room * room;
@@ -78,12 +79,12 @@ class Return {
     for (std::size_t i = 1; i < count; ++i) {
       first_ = length(i) > length(first_) ? i : first_;
     }
-    j_ = phases.masses() + phases.rubbing();
     if (autonomous_) {
       first_ = (first_ + 1) % count;
-      centre_ = orbit.phases[first_].state.unaryExpr([](const Ball& x) { return x.midpoint(); });
-      centre_(j_) = Ball(speed_between(machine.oscillator, orbit.pieces[(first_ + count - 1) % count],
-                                       orbit.pieces[first_]));
+      centre_ = zeros::midpoints(orbit.phases[first_].state);
+      rows_ = phases.rows_but_speed();
+      centre_(phases.speed_row()) = Ball(speed_between(
+          machine.oscillator, orbit.pieces[(first_ + count - 1) % count], orbit.pieces[first_]));
       proved_ = orbit.phases[first_].state;
       return;
     }
@@ -93,7 +94,9 @@ class Return {
     time_ = Ball(Ball(begin + phase.duration / Ball(2)).approximate());
     proved_ = passage(phases, phase.piece, phases.whole(phase.state, omega * begin), time_ - begin, false)
                   .reached.head(phase.state.size());
-    centre_ = proved_.unaryExpr([](const Ball& x) { return x.midpoint(); });
+    centre_ = zeros::midpoints(proved_);
+    rows_.resize(static_cast<std::size_t>(centre_.size()));
+    std::iota(rows_.begin(), rows_.end(), 0);
     period_ = Ball(2 * orbit.periods) * Ball::pi() / omega;
   }
 
@@ -105,20 +108,16 @@ class Return {
   [[nodiscard]] const Piece& before() const { return cyclic(first_ + orbit_.pieces.size() - 1); }
 
   // z to (x, x'), and back: the numbers of z are those of the state but for one that is known.
-  [[nodiscard]] Eigen::Index size() const { return centre_.size() - (autonomous_ ? 1 : 0); }
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(rows_.size()); }
   template <class M>
   [[nodiscard]] M without_known(const M& rows) const {
-    M result(size(), rows.cols());
-    result << rows.topRows(autonomous_ ? j_ : size()), rows.bottomRows(autonomous_ ? size() - j_ : 0);
-    return result;
+    return rows(rows_, Eigen::all);
   }
   [[nodiscard]] Matrix with_known(const Matrix& rows) const {
     Matrix result = Matrix::Constant(centre_.size(), rows.cols(), Ball(0));
-    result.topRows(autonomous_ ? j_ : size()) = rows.topRows(autonomous_ ? j_ : size());
-    result.bottomRows(autonomous_ ? size() - j_ : 0) = rows.bottomRows(autonomous_ ? size() - j_ : 0);
+    result(rows_, Eigen::all) = rows;
     return result;
   }
-
   // Of the starts from middle + S e, e in the ball or the box.
   [[nodiscard]] std::optional<SetOfMotions> operator()(const Vector& middle, const Matrix& S,
                                                        bool round) const {
@@ -146,7 +145,7 @@ class Return {
   bool autonomous_;
   SetFlow flow_;
   std::size_t first_ = 0;
-  Eigen::Index j_ = 0;
+  std::vector<Eigen::Index> rows_;  // those of (x, x') that z tells
   Vector centre_, proved_;
   Ball time_, period_;
 };

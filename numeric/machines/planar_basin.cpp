@@ -166,9 +166,7 @@ class Area {
       }
       return take(s);
     });
-    if (!all) {
-      arb_indeterminate(sum_.raw());
-    }
+    sum_ = all ? sum_ : scalars::anything();
   }
   [[nodiscard]] const Ball& value() const { return sum_; }
 

@@ -51,7 +51,7 @@ Followed followed(const SetFlow& flow, const SetAfterQuestion& q, SetAfter::Part
   const auto piece = flow.piece_of(set.all.value.tail(part.middle.size()), begin);
   if (!piece) {
     // The velocity of the mass on the belt tells them apart.
-    const Eigen::Index speed = flow.phases().masses() + flow.phases().rubbing();
+    const Eigen::Index speed = flow.phases().speed_row();
     result.side = part.half(speed) > 0 ? speed : result.side;
     result.verdict = Verdict::undecided(
         "some starts move as the belt does, or as a piece of the law ends, and others do not");

@@ -12,6 +12,7 @@
 namespace stickslip::numeric::machines {
 
 using motion::PhaseKind;
+using scalars::within;
 using zeros::in_double;
 
 namespace {
@@ -19,11 +20,6 @@ namespace {
 // Of Newton's method for the middle motion, and for the durations of all.
 constexpr int most_newton_steps = 40;
 constexpr int most_widenings = 3;
-
-Ball symmetric(const Ball& radius) {
-  const Ball upper = abs(radius).upper();
-  return Ball::hull(-upper, upper);
-}
 
 void narrow(Ball& x, const Ball& other) {
   x = zeros::intersection(x, other).value_or(other);
@@ -41,10 +37,6 @@ struct After {
   Matrix longer_by;  // column l: the derivative of that by e_l
   Matrix by_u;       // u at the end by u at the beginning
 };
-
-Vector midpoints(const Vector& x) {
-  return x.unaryExpr([](const Ball& ball) { return ball.midpoint(); });
-}
 
 // Its first axes span what the first columns do.
 Frame frame_of(const Eigen::MatrixXd& columns, const Vector& units) {
@@ -79,7 +71,7 @@ void move_offset(SetOfMotions& to, const SetOfMotions& from, const Matrix& by_u,
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
     columns.col(k) *= abs(from.offset(k)).upper().approximate() + 1e-300;
   }
-  to.exact = midpoints(y);
+  to.exact = zeros::midpoints(y);
   to.frame = frame_of(by_length(columns, units), units);
   const Matrix& back = to.frame.back;
   to.offset = sparse_product(sparse_product(back, sparse_product(by_u, from.frame.axes)), from.offset) +
@@ -180,7 +172,7 @@ Ball SetOfMotions::reach(const Vector& row) const {
     const Ball size = abs(x).upper();
     sum += round ? Ball(size * size) : size;
   }
-  return symmetric(round ? Ball(sqrt(sum)) : sum);
+  return within(round ? Ball(sqrt(sum)) : sum);
 }
 
 SetOfMotions set_at(const Ball& time, const Piece& piece, const Vector& middle, const Matrix& S, bool round) {
@@ -197,7 +189,7 @@ SetOfMotions set_at(const Ball& time, const Piece& piece, const Vector& middle, 
   set.all.second.assign(static_cast<std::size_t>(parameters), Matrix::Constant(rows, parameters, Ball(0)));
   set.all.frame = set.middle.frame = set.frame = {Matrix::Identity(rows, rows), Matrix::Identity(rows, rows)};
   set.middle.along = set.middle.first;
-  set.exact = midpoints(set.middle.value);
+  set.exact = zeros::midpoints(set.middle.value);
   set.offset = set.middle.value - set.exact;
   return set;
 }
@@ -220,7 +212,7 @@ Vector SetFlow::whole(const Vector& u) const {
 
 std::optional<Piece> SetFlow::piece_of(const Vector& states, const Ball& time) const {
   const model::FrictionOscillator<Ball>& o = phases_.oscillator();
-  const Ball relative = o.V - states(phases_.masses() + phases_.rubbing());
+  const Ball relative = o.V - states(phases_.speed_row());
   if (is_zero(relative)) {
     const Ball r = dot(phases_.friction_at_rest(), phases_.whole(states, o.omega * time));
     const bool sticks = (o.forward.at_rest - r).is_positive() && (o.backward.at_rest + r).is_positive();
@@ -245,7 +237,7 @@ std::optional<Piece> SetFlow::piece_of(const Vector& states, const Ball& time) c
 
 // At a time, the time, at an event x_j'.
 Eigen::Index SetFlow::known_row(const SetOfMotions& set) const {
-  return set.before ? 1 + phases_.masses() + phases_.rubbing() : 0;
+  return set.before ? 1 + phases_.speed_row() : 0;
 }
 
 Verdict SetFlow::judge(const SetOfMotions& set, const Ball& duration, const std::optional<Piece>& after,
@@ -318,8 +310,7 @@ Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about
   const Vector w_middle = whole(set.middle.value);
   const Passage at_middle = passage(phases_, set.piece, w_middle, h, false);
   const Ball off = dot(event, at_middle.reached);
-  const Ball width =
-      symmetric(Ball(off / dot(event, at_middle.arrives)) * Ball(4)) + symmetric(step * Ball(4));
+  const Ball width = within(Ball(off / dot(event, at_middle.arrives)) * Ball(4)) + within(step * Ball(4));
   const Ball near = h + width;
   const Ball rate = dot(event, passage(phases_, set.piece, w_middle, near, false).arrives);
   const Ball taken = h - off / rate;
@@ -355,7 +346,7 @@ Verdict SetFlow::to_event(SetOfMotions& set, const Piece& after_it, double about
     end.before = set.piece;
     end.piece = after_it;
     end.passed.push_back(after_it);
-    fix(end, 1 + phases_.masses() + phases_.rubbing(), speed);
+    fix(end, 1 + phases_.speed_row(), speed);
     Verdict verdict = judge(set, durations, after_it, end);
     if (set.timeless) {
       fix(end, 0, end.time());
@@ -386,7 +377,7 @@ Verdict SetFlow::to_time(SetOfMotions& set, const Ball& time) const {
   fix(end, 0, time);
   end.before.reset();
   if (set.piece.kind == PhaseKind::stick) {
-    fix(end, 1 + phases_.masses() + phases_.rubbing(), phases_.oscillator().V);
+    fix(end, 1 + phases_.speed_row(), phases_.oscillator().V);
   }
   Verdict verdict = judge(set, durations, {}, end);
   set = end;

@@ -33,17 +33,7 @@ MachineGuess rotated(const MachineGuess& guess) {
       begins.push_back(i);
     }
   }
-  if (begins.empty()) {
-    return guess;
-  }
-  const std::size_t from = begins[words::first_rotation(letters)];
-  MachineGuess result = guess;
-  for (std::size_t i = 0; i < from; ++i) {
-    result.events[i].t += guess.duration;
-  }
-  std::rotate(result.events.begin(), result.events.begin() + static_cast<std::ptrdiff_t>(from),
-              result.events.end());
-  return result;
+  return begins.empty() ? guess : guess.begun_at(begins[words::first_rotation(letters)]);
 }
 
 template <int N, int L>

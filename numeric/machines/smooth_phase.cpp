@@ -15,7 +15,7 @@ constexpr long box_bits = 64;
 constexpr int bits_of_a_length = 30;
 
 Ball relative_velocity(const LinearPhases& phases, int side, const Vector& w) {
-  return Ball(side) * (phases.oscillator().V - w(phases.masses() + phases.rubbing()));
+  return Ball(side) * (phases.oscillator().V - w(phases.speed_row()));
 }
 
 const Ball& mass_of(const LinearPhases& phases) {
@@ -29,13 +29,6 @@ M value_at(const std::vector<M>& coefficients, const Ball& s) {
     value = M(value * s) + coefficients[k];
   }
   return value;
-}
-
-template <class M>
-M nowhere(Eigen::Index rows, Eigen::Index columns) {
-  Ball unknown;
-  arb_indeterminate(unknown.raw());
-  return M::Constant(rows, columns, unknown);
 }
 
 // a_0 b_n + a_1 b_(n-1) + … + a_n b_0.
@@ -56,8 +49,7 @@ Piece piece_of(int side) {
 Vector smooth_rate(const LinearPhases& phases, int side, const Vector& w) {
   const model::SmoothFriction<Ball>& law = *phases.oscillator().law(side).smooth;
   Vector rate = sparse_product(phases.drift(piece_of(side)), w);
-  rate(phases.masses() + phases.rubbing()) +=
-      Ball(side) * law.force(relative_velocity(phases, side, w)) / mass_of(phases);
+  rate(phases.speed_row()) += Ball(side) * law.force(relative_velocity(phases, side, w)) / mass_of(phases);
   return rate;
 }
 
@@ -70,7 +62,7 @@ SmoothPhase::SmoothPhase(const LinearPhases& phases, int side, const Vector& w, 
       direction_(reversed ? -1 : 1),
       with_derivative_(with_derivative),
       states_(2 * phases.masses()),
-      speed_(phases.masses() + phases.rubbing()),
+      speed_(phases.speed_row()),
       balance_(balance(drift_)),
       balance_in_double_(zeros::in_double(balance_)),
       T_(T),
@@ -189,8 +181,7 @@ Matrix SmoothPhase::derivative_box(const Vector& w, double length) const {
   Matrix D(states_, states_);
   for (Eigen::Index i = 0; i < states_; ++i) {
     for (Eigen::Index k = 0; k < states_; ++k) {
-      const Ball room = Ball(far * balance_(k) / balance_(i)).upper();
-      D(i, k) = Ball(i == k ? 1 : 0) + Ball::hull(-room, room);
+      D(i, k) = Ball(i == k ? 1 : 0) + scalars::within(far * balance_(k) / balance_(i));
     }
   }
   return D;
@@ -205,8 +196,7 @@ std::optional<SmoothPhase::Last> SmoothPhase::over(const Series& here, double le
   const Vector range = box;
   const double size_of_all = std::max(size(box), 1e-300);
   for (Eigen::Index i = 0; i < box.size(); ++i) {
-    const Ball more(i < states_ ? room * size_of_all / balance_in_double_(i) : room);
-    box(i) += Ball::hull(-more, more);
+    box(i) += scalars::within(i < states_ ? room * size_of_all / balance_in_double_(i) : room);
   }
   const std::size_t order = here.w.size();
   const Series last = series(box, with_derivative_ ? derivative_box(box, length) : Matrix(), order);
@@ -263,13 +253,13 @@ std::optional<Ball> SmoothPhase::time_in(const Step& step) const {
 
 Vector SmoothPhase::end() const {
   const std::optional<Ball> s = steps_.empty() ? std::nullopt : time_in(steps_.back());
-  return s ? value_at(steps_.back().w, *s) : nowhere<Vector>(drift_.rows(), 1);
+  return s ? value_at(steps_.back().w, *s) : Vector::Constant(drift_.rows(), scalars::anything());
 }
 
 Matrix SmoothPhase::derivative() const {
   const std::optional<Ball> s = steps_.empty() ? std::nullopt : time_in(steps_.back());
   if (!s) {
-    return nowhere<Matrix>(states_, states_);
+    return Matrix::Constant(states_, states_, scalars::anything());
   }
   Matrix D = Matrix::Identity(states_, states_);
   for (const Step& step : steps_) {

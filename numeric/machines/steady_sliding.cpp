@@ -143,11 +143,9 @@ SteadyAlong steady_sliding_along(const std::function<Machine(const Rational&)>& 
     return kind(s) == StabilityKind::stable || kind(s) == StabilityKind::unstable;
   };
   SteadyAlong result;
-  for (const Sample& one : parallel_map(values, [&](std::size_t k) {
-         return sample(from + (to - from) * Rational(static_cast<long>(k)) / static_cast<long>(values - 1));
-       })) {
-    result.samples.push_back(one);
-  }
+  result.samples = parallel_map(values, [&](std::size_t k) {
+    return sample(from + (to - from) * Rational(static_cast<long>(k)) / static_cast<long>(values - 1));
+  });
   // Between neighbours that differ, as close as they get; where nothing is known, beside it.
   std::vector<Sample> more;
   const Sample * last = nullptr;
@@ -171,26 +169,18 @@ SteadyAlong steady_sliding_along(const std::function<Machine(const Rational&)>& 
       more.push_back(*m);
       (kind(*m) == kind(*a) ? *a : b) = *m;
     }
-    last = &next;
-  }
-  result.samples.insert(result.samples.end(), more.begin(), more.end());
-  std::ranges::sort(result.samples, {}, &Sample::value);
-  const Sample * before = nullptr;
-  for (const Sample& s : result.samples) {
-    if (!is_known(s)) {
-      continue;
-    }
-    if (before != nullptr && kind(*before) != kind(s)) {
-      const bool lost = kind(s) == StabilityKind::unstable;
-      const std::vector<ComplexBall>& mu = (lost ? s : *before).state.eigenvalues;
-      result.changes.push_back(
-          {before->value, s.value, lost, before->state.piece != s.state.piece, std::nullopt});
+    if (a && kind(*a) != kind(b)) {
+      const bool lost = kind(b) == StabilityKind::unstable;
+      const std::vector<ComplexBall>& mu = (lost ? b : *a).state.eigenvalues;
+      result.changes.push_back({a->value, b.value, lost, a->state.piece != b.state.piece, std::nullopt});
       if (!mu.front().im.contains_zero()) {
         result.changes.back().frequency = abs(mu.front().im);
       }
     }
-    before = &s;
+    last = &next;
   }
+  result.samples.insert(result.samples.end(), more.begin(), more.end());
+  std::ranges::sort(result.samples, {}, &Sample::value);
   return result;
 }
 

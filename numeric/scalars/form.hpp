@@ -17,6 +17,7 @@
 #include "core/sinc.hpp"
 #include "numeric/scalars/hardware_ball.hpp"
 #include "numeric/scalars/hardware_balls.hpp"
+#include "numeric/scalars/scalars.hpp"
 
 namespace stickslip::numeric::scalars {
 
@@ -62,8 +63,7 @@ template <std::size_t N>
   for (const Ball& slope : slopes) {
     sum += abs(slope);
   }
-  const Ball bound = sum.upper();
-  return Ball::hull(-bound, bound);
+  return within(sum);
 }
 
 // middle + sway(slopes).

@@ -19,6 +19,18 @@ inline void subtract_product(double& sum, double a, double b) {
   sum -= a * b;
 }
 
+// All numbers that are no larger than some member, in size.
+[[nodiscard]] inline Ball within(const Ball& size) {
+  const Ball most = abs(size).upper();
+  return Ball::hull(-most, most);
+}
+// Decides nothing.
+[[nodiscard]] inline Ball anything() {
+  Ball unknown;
+  arb_indeterminate(unknown.raw());
+  return unknown;
+}
+
 // An exact number and pi as scalars of one kind; balls take the working precision.
 template <class S>
 [[nodiscard]] S scalar(const Rational& value);

@@ -567,8 +567,6 @@ template class SimulationOf<2, 1>;
 template class SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
 
 Simulation::Simulation(const model::Parameters<double>& a, double ur, double phi, const Vector4<double>& X)
-    : SimulationOf<2, 1>(model::friction_oscillator<double>(in_domain(a, ur, phi, X), ur), phi, X),
-      a_(a),
-      ur_(ur) {}
+    : SimulationOf<2, 1>(model::friction_oscillator<double>(in_domain(a, ur, phi, X), ur), phi, X) {}
 
 }  // namespace stickslip::numeric::simulation

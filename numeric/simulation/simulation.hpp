@@ -149,13 +149,6 @@ class Simulation : public SimulationOf<2, 1> {
   // 1e-20 <= eta <= 1e20, 1e-100 <= omega <= 1e10, 0 < us <= ur <= 1e100, 0 <= p <= 1e100, and V and the
   // state are within ±1e100.
   Simulation(const model::Parameters<double>& a, double ur, double phi, const model::Vector4<double>& X);
-
-  [[nodiscard]] const model::Parameters<double>& data() const { return a_; }
-  [[nodiscard]] double ur() const { return ur_; }
-
- private:
-  model::Parameters<double> a_;
-  double ur_;
 };
 
 }  // namespace stickslip::numeric::simulation

@@ -84,14 +84,16 @@ std::size_t first_rotation(std::string_view text) {
   return std::min(i, j);
 }
 
+std::string in_first_rotation(std::string text) {
+  std::rotate(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(first_rotation(text)), text.end());
+  return text;
+}
+
 Word Word::parse(std::string_view text) {
   if (const std::string why = why_no_word(text); !why.empty()) {
     throw UsageError(why);
   }
-  std::string letters(text);
-  std::rotate(letters.begin(), letters.begin() + static_cast<std::ptrdiff_t>(first_rotation(text)),
-              letters.end());
-  return Word(std::move(letters));
+  return Word(in_first_rotation(std::string(text)));
 }
 
 Word Word::of(const std::vector<PhaseKind>& phases) {

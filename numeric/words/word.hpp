@@ -43,6 +43,7 @@ class Word {
 
 // Where the rotation of a text that comes first in the alphabet begins.
 [[nodiscard]] std::size_t first_rotation(std::string_view text);
+[[nodiscard]] std::string in_first_rotation(std::string text);
 
 // Whether Word::parse takes the text.
 [[nodiscard]] bool is_word(std::string_view text);

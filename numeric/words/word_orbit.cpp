@@ -9,12 +9,13 @@
 
 #include "core/error.hpp"
 #include "numeric/families/family.hpp"
-#include "numeric/machines/chain_proof.hpp"
+#include "numeric/machines/machine_orbit.hpp"
 
 namespace stickslip::numeric::words {
 
 using namespace motion;
 using machines::ChainProof;
+using machines::MachineGuess;
 using machines::MachineQuestion;
 using machines::Node;
 using machines::Nodes;
@@ -25,57 +26,27 @@ namespace {
 constexpr int more_attempts = 3;
 
 // Where the guess is to begin: at the first rotation of its word, of several the one whose first phase is the
-// shortest. `turn` is the time of n periods.
-std::size_t beginning(const Guess& guess, const Word& word, double turn) {
-  const std::size_t count = guess.events.size();
+// shortest.
+std::size_t beginning(const MachineGuess& guess, const Word& word) {
   std::string letters;
-  for (const Guess::Event& event : guess.events) {
-    letters += letter(event.begins);
+  for (const MachineGuess::Event& event : guess.events) {
+    letters += letter(event.begins.kind);
   }
-  const auto duration = [&](std::size_t i) {
-    return i + 1 < count ? guess.events[i + 1].t - guess.events[i].t
-                         : guess.events.front().t + turn - guess.events[i].t;
-  };
-  const std::size_t first = first_rotation(letters);
-  std::size_t best = first;
-  for (std::size_t i = first; i < count; i += count / word.repetitions()) {
-    best = duration(i) < duration(best) ? i : best;
+  std::size_t best = first_rotation(letters);
+  for (std::size_t i = best; i < letters.size(); i += letters.size() / word.repetitions()) {
+    best = guess.lasts(i) < guess.lasts(best) ? i : best;
   }
   return best;
 }
 
-Guess rotated(const Guess& guess, const Word& word, double Theta) {
-  const double turn = static_cast<double>(guess.periods) * Theta;
-  const std::size_t from = beginning(guess, word, turn);
-  Guess result = guess;
-  for (std::size_t i = 0; i < from; ++i) {
-    result.events[i].t += turn;
-  }
-  std::rotate(result.events.begin(), result.events.begin() + static_cast<std::ptrdiff_t>(from),
-              result.events.end());
-  // So that the load's phase is at most pi in size when the motion begins.
+// So that the load's phase, over whose period Theta is, is at most pi in size when the motion begins.
+MachineGuess rotated(const MachineGuess& guess, const Word& word, double Theta) {
+  MachineGuess result = guess.begun_at(beginning(guess, word));
   const double shift = Theta * std::round(result.events.front().t / Theta);
-  for (Guess::Event& event : result.events) {
+  for (MachineGuess::Event& event : result.events) {
     event.t -= shift;
   }
   return result;
-}
-
-Nodes nodes_of(const Guess& guess) {
-  Nodes nodes;
-  for (const Guess::Event& e : guess.events) {
-    nodes.emplace_back(4);
-    nodes.back() << Ball(e.t), Ball(e.x1), Ball(e.x2), Ball(e.xdot1);
-  }
-  return nodes;
-}
-
-MachineQuestion chain_of(const WordQuestion& question, const Word& word, long periods) {
-  MachineQuestion chain{{model::friction_oscillator<Rational>(question.data, question.ur)}, {}, periods};
-  for (const PhaseKind kind : word.phases()) {
-    chain.pieces.push_back({kind});
-  }
-  return chain;
 }
 
 // The motion that starts at node 0; phase i is that of node i.
@@ -119,42 +90,6 @@ families::Orbit decided(const WordQuestion& question, const MachineQuestion& cha
     orbit.stability = stability_of(proof.return_map, sticks);
   }
   return orbit;
-}
-
-// The guess is rotated already. With more bits as long as something is open.
-WordOrbit prove_rotated(const WordQuestion& question, const Guess& guess, const Word& word) {
-  const MachineQuestion q = chain_of(question, word, guess.periods);
-  const Requirements requirements = requirements_of(word.phases());
-  Nodes nodes = nodes_of(guess);
-  WordOrbit result{word, guess.periods, {}, {}, requirements};
-  long bits = scalars::bits_for(question.digits) + 32;
-  for (int attempt = 0; attempt <= more_attempts && bits <= question.most_bits; ++attempt) {
-    const ChainProof proof = prove_chain(q, nodes, bits, question.most_bits);
-    if (proof.verdict.truth != Truth::proved) {
-      if (attempt == 0) {
-        result.existence = proof.verdict;
-      }
-      break;
-    }
-    const auto [times, verdict] = repetition(q, proof);
-    if (verdict.truth == Truth::undecided) {
-      result.existence = verdict;
-      break;
-    }
-    if (times > 1) {
-      Guess shorter{guess.events, q.periods / times};
-      shorter.events.resize(guess.events.size() / static_cast<std::size_t>(times));
-      return prove_word_orbit(question, shorter);
-    }
-    result.existence = Verdict::proved();
-    result.orbit = decided(question, q, proof, word.phases(), requirements);
-    if (!is_open(result.orbit)) {
-      break;
-    }
-    nodes = machines::midpoints(proof.nodes);
-    bits = 4 * proof.bits;
-  }
-  return result;
 }
 
 }  // namespace
@@ -231,15 +166,39 @@ bool in_word_domain(const WordQuestion& question) {
   return true;
 }
 
-WordOrbit prove_word_orbit(const WordQuestion& question, const Guess& guess) {
+WordOrbit prove_word_orbit(const WordQuestion& question, const MachineGuess& seen) {
   require_word_domain(question);
   std::vector<PhaseKind> phases;
-  for (const Guess::Event& event : guess.events) {
-    phases.push_back(event.begins);
+  for (const MachineGuess::Event& event : seen.events) {
+    phases.push_back(event.begins.kind);
   }
   const Word word = Word::of(phases);
   const double Theta = 2 * std::numbers::pi / scalars::scalar<double>(question.data.omega);
-  return prove_rotated(question, rotated(guess, word, Theta), word);
+  MachineGuess guess = seen;
+  guess.duration = static_cast<double>(guess.periods) * Theta;
+  guess = rotated(guess, word, Theta);
+  const MachineQuestion q{
+      {model::friction_oscillator<Rational>(question.data, question.ur)}, guess.pieces(), guess.periods};
+  WordOrbit result{word, guess.periods, {}, {}, requirements_of(word.phases())};
+  const auto [existence, times] = prove_while_open(
+      q, guess, question.digits, question.most_bits, more_attempts, [&](const ChainProof& proof) {
+        result.orbit = decided(question, q, proof, word.phases(), result.asked);
+        return is_open(result.orbit);
+      });
+  if (times > 1) {
+    return prove_word_orbit(question, guess.once_of(times, true));
+  }
+  result.existence = existence;
+  return result;
+}
+
+WordOrbit prove_word_orbit(const WordQuestion& question, const Guess& guess) {
+  MachineGuess same{{}, guess.periods};
+  for (const Guess::Event& e : guess.events) {
+    const model::Vector4<double> X(e.x1, e.x2, e.xdot1, scalars::scalar<double>(question.data.V));
+    same.events.push_back({e.t, X, {e.begins}});
+  }
+  return prove_word_orbit(question, same);
 }
 
 }  // namespace stickslip::numeric::words

@@ -8,6 +8,10 @@
 #include "numeric/motion/domain.hpp"
 #include "numeric/words/word.hpp"
 
+namespace stickslip::numeric::machines {
+struct MachineGuess;
+}
+
 namespace stickslip::numeric::words {
 
 // The load is cos omega t: its phase is 0 at t = 0.
@@ -52,5 +56,7 @@ void require_simulated_domain(const WordQuestion& question);
 // times, the shorter one. A condition or the stability that the asked digits leave undecided is looked at
 // with more. Throws as require_word_domain and Word::of do.
 [[nodiscard]] WordOrbit prove_word_orbit(const WordQuestion& question, const Guess& guess);
+// Likewise, of the same oscillator as a machine.
+[[nodiscard]] WordOrbit prove_word_orbit(const WordQuestion& question, const machines::MachineGuess& guess);
 
 }  // namespace stickslip::numeric::words

@@ -34,7 +34,7 @@ template <class S, int N, class F>
 
 template <int N>
 [[nodiscard]] Box<N> midpoint(const Box<N>& box) {
-  return box.unaryExpr([](const Ball& side) { return side.midpoint(); });
+  return midpoints(box);
 }
 
 // Every component strictly inside.

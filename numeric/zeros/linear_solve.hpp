@@ -61,6 +61,12 @@ template <class A>
   return result;
 }
 
+// The same as exact balls.
+template <class A>
+[[nodiscard]] typename A::PlainObject midpoints(const Eigen::MatrixBase<A>& a) {
+  return a.unaryExpr([](const Ball& x) { return x.midpoint(); });
+}
+
 // Nearly the inverse, likewise; balls in hardware have one in double.
 template <class S, int N>
 [[nodiscard]] std::optional<Eigen::Matrix<S, N, N>> approximate_inverse(const Eigen::Matrix<S, N, N>& a) {

@@ -107,8 +107,7 @@ namespace detail {
       grow(norm, abs(R(i, j)) / X(i).radius());
     }
     for (int i = 0; i < X.size(); ++i) {
-      const Ball bound = (norm / (Ball(1) - q) * X(i).radius()).upper();
-      D(i, j) = Ball::hull(-bound, bound);
+      D(i, j) = scalars::within(norm / (Ball(1) - q) * X(i).radius());
     }
   }
   D = (R + product(E, D)).eval();

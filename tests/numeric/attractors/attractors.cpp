@@ -282,11 +282,12 @@ TEST_CASE("a motion nears a stable orbit at the pace of its multiplier, and noth
   simulation::Simulation near(data, machine.ur.get_d(), 0, X + model::Vector4<double>(1, 1, 0, 0));
   near.advance(20000 * near.period());  // until what falls faster is gone
   const double mu = 0.999985;
-  CHECK(nears(near, X, mu, 1, 5000));
-  CHECK_FALSE(nears(near, X, 0.9999, 1, 5000));    // too slow for that orbit
-  CHECK_FALSE(nears(near, X, 0.999998, 1, 5000));  // too fast
-  CHECK_FALSE(nears(near, 1.1 * X, mu, 1, 5000));
-  const auto once = Follower(data, machine.ur.get_d(), near.state()).steady_word();
+  const Follower follower(data, machine.ur.get_d(), near.state());
+  CHECK(follower.nears(X, mu, 1, 5000));
+  CHECK_FALSE(follower.nears(X, 0.9999, 1, 5000));    // too slow for that orbit
+  CHECK_FALSE(follower.nears(X, 0.999998, 1, 5000));  // too fast
+  CHECK_FALSE(follower.nears(1.1 * X, mu, 1, 5000));
+  const auto once = follower.steady_word();
   REQUIRE(once);
   CHECK(once->word == "OS");
   CHECK(once->guess.periods == 1);

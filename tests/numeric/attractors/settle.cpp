@@ -78,7 +78,7 @@ TEST_CASE("the period and the word of a motion that settles") {
 TEST_CASE("the exponent of a periodic motion is the logarithm of its largest multiplier, over its period") {
   Follower three(in_double(P()), 0.2996, {0.5, 1, 0, -0.2});
   three.follow(20000, 1e-6);
-  const Exponent exponent = largest_exponent(three.simulation(), 5000);
+  const Exponent exponent = three.exponent(5000);
   CHECK(exponent.is_negative());
   CHECK_FALSE(exponent.is_positive());
   CHECK(exponent.value == doctest::Approx(std::log(0.654462) / 3).epsilon(0.01));

@@ -19,27 +19,26 @@ constexpr double step = 0.02;
 
 struct Pair {
   Simulation a, b;
+  model::Parameters<double> data;
 
   [[nodiscard]] model::Vector4<double> difference() const { return a.state() - b.state(); }
-  [[nodiscard]] double energy() const {
-    return model::energy<double>(a.data().chi, a.data().eta, difference());
-  }
+  [[nodiscard]] double energy() const { return model::energy<double>(data.chi, data.eta, difference()); }
   // delta2' delta u.
   [[nodiscard]] double power() const { return difference()(3) * (a.friction() - b.friction()); }
 };
 
 Pair pair_of(const Start& s, const model::Vector4<double>& other) {
-  return {Simulation(s.data, s.ur, s.phi, s.X), Simulation(s.data, s.ur, s.phi, other)};
+  return {Simulation(s.data, s.ur, s.phi, s.X), Simulation(s.data, s.ur, s.phi, other), s.data};
 }
 
 // One sticks with |r| > us and the other slips on the side to which r pulls.
-bool may_grow(const Simulation& stuck, const Simulation& other) {
+bool may_grow(const Simulation& stuck, const Simulation& other, double us) {
   const double r = stuck.friction_at_rest();
-  return stuck.phase() == PhaseKind::stick && std::abs(r) > stuck.data().us * (1 - 1e-12) &&
+  return stuck.phase() == PhaseKind::stick && std::abs(r) > us * (1 - 1e-12) &&
          other.phase() == (r > 0 ? PhaseKind::slip : PhaseKind::overshoot);
 }
 bool may_grow(const Pair& pair) {
-  return may_grow(pair.a, pair.b) || may_grow(pair.b, pair.a);
+  return may_grow(pair.a, pair.b, pair.data.us) || may_grow(pair.b, pair.a, pair.data.us);
 }
 
 // Five-point Gauss quadrature of the power over the next step, during which nothing may change its phase.
