@@ -164,7 +164,7 @@ InData<Matrix> Chain::beginning(const NodesInData& nodes, std::size_t i) const {
   return phases_.whole(state, theta);
 }
 
-Chain::Course Chain::course(const NodesInData& nodes, std::size_t i) const {
+InData<Matrix> Chain::event_in_data(std::size_t i) const {
   const std::size_t following = (i + 1) % size();
   const int side = pieces_[following].side();
   const auto at_rest = [&](const auto& o) { return o.law(side).at_rest * Ball(side); };
@@ -172,18 +172,21 @@ Chain::Course Chain::course(const NodesInData& nodes, std::size_t i) const {
       pieces_[i].kind == PhaseKind::stick ? phases_.number(at_rest) : speeds_in_data_[following];
   InData<Matrix> event = phases_.watched(pieces_[i]);
   event -= mapped(bound, [&](const Ball& x) { return Matrix((phases_.one() * x).transpose()); });
-  const InData<Matrix> flow = phases_.flow(pieces_[i], duration(nodes, i)), begin = beginning(nodes, i);
-  return {flow, begin, flow * begin, event};
+  return event;
+}
+
+PassageInData Chain::course(const NodesInData& nodes, std::size_t i, bool with_derivative) const {
+  return passage(phases_, pieces_[i], beginning(nodes, i), duration(nodes, i), with_derivative);
 }
 
 InData<Matrix> Chain::conditions(const NodesInData& nodes, std::size_t i) const {
   const Eigen::Index n = phases_.masses();
-  const Course phase = course(nodes, i);
-  InData<Matrix> apart = mapped(phase.reached, [&](const Matrix& w) { return Matrix(-without(w)); });
+  const InData<Matrix> reached = course(nodes, i, false).reached;
+  InData<Matrix> apart = mapped(reached, [&](const Matrix& w) { return Matrix(-without(w)); });
   apart +=
       mapped(nodes[(i + 1) % size()], [&](const Matrix& node) { return Matrix(node.bottomRows(2 * n - 1)); });
   InData<Matrix> F = mapped(apart, [&](const Matrix& x) { return placed(x, 0, 2 * n); });
-  F += mapped(phase.event * phase.reached, [&](const Matrix& x) { return placed(x, 2 * n - 1, 2 * n); });
+  F += mapped(event_in_data(i) * reached, [&](const Matrix& x) { return placed(x, 2 * n - 1, 2 * n); });
   return F;
 }
 
@@ -194,23 +197,22 @@ Link Chain::link(const NodesInData& nodes, std::size_t i) const {
   const auto left = [&](const Matrix& row) { return Matrix(row.leftCols(states)); };
   const auto of_loads = [&](const Matrix& w) { return Matrix(w.bottomRows(w.rows() - states)); };
   const auto from_loads = [&](const Matrix& A) { return Matrix(A.rightCols(A.cols() - states)); };
-  const Course phase = course(nodes, i);
-  const InData<Matrix>& B = phases_.drift_in_data(pieces_[i]);
-  const InData<Matrix> leaves = product(B, phase.begin, sparse_product<Matrix>),
-                       arrives = product(B, phase.reached, sparse_product<Matrix>);
+  const PassageInData phase = course(nodes, i, true);
+  const InData<Matrix>& arrives = phase.arrives;
+  const InData<Matrix> event = event_in_data(i);
   const Spread node = spread();
   const Matrix time = node.time.transpose();
   const auto by_time = [&](const InData<Matrix>& x) {
     return mapped(x, [&](const Matrix& column) { return Matrix(zeros::product(column, time)); });
   };
   // (x, x') after the duration, by the node, and how much longer it takes to the event.
-  InData<Matrix> state = mapped(mapped(phase.flow, top), [&](const Matrix& flow) {
-    return Matrix(zeros::product(left(flow), node.state));
+  InData<Matrix> state = mapped(phase.derivative, [&](const Matrix& derivative) {
+    return Matrix(zeros::product(derivative, node.state));
   });
-  state += by_time(mapped(mapped(phase.flow, top), from_loads) * mapped(leaves, of_loads));
-  InData<Matrix> late = mapped(phase.event, left) * state;
-  late += by_time(mapped(phase.event, from_loads) * mapped(arrives, of_loads));
-  const InData<Ball> rate = mapped(phase.event * arrives, [](const Matrix& x) { return x(0, 0); });
+  state += by_time(phase.by_time);
+  InData<Matrix> late = mapped(event, left) * state;
+  late += by_time(mapped(event, from_loads) * mapped(arrives, of_loads));
+  const InData<Ball> rate = mapped(event * arrives, [](const Matrix& x) { return x(0, 0); });
   const InData<Matrix> longer = product(
       late, reciprocal(rate), [](const Matrix& row, const Ball& x) { return Matrix(row * Ball(-x)); });
   state += mapped(arrives, top) * longer;

@@ -93,12 +93,9 @@ class Chain {
   [[nodiscard]] Spread spread() const;
   // Zero where phase i ends, as a row.
   [[nodiscard]] Vector event(std::size_t i) const;
-  // Phase i as functions of the data.
-  struct Course {
-    InData<Matrix> flow, begin, reached, event;  // the event's row
-  };
   [[nodiscard]] InData<Ball> duration(const NodesInData& nodes, std::size_t i) const;
-  [[nodiscard]] Course course(const NodesInData& nodes, std::size_t i) const;
+  [[nodiscard]] PassageInData course(const NodesInData& nodes, std::size_t i, bool with_derivative) const;
+  [[nodiscard]] InData<Matrix> event_in_data(std::size_t i) const;
   // (x, x') with x_j' put in, and without.
   [[nodiscard]] Vector with(const Ball& speed, const Node& node) const;
   template <class M>

@@ -175,7 +175,13 @@ struct InData {
   InData& operator-=(const InData& other) { return *this += other * Ball(-1); }
   friend InData operator+(InData a, const InData& b) { return a += b; }
   friend InData operator-(InData a, const InData& b) { return a -= b; }
+  friend InData operator-(const InData& a) { return a * Ball(-1); }
 };
+
+template <class M>
+[[nodiscard]] bool is_none(const InData<M>& f) {
+  return is_none(f.rest) && std::ranges::all_of(f.c, [](const M& x) { return is_none(x); });
+}
 
 // linear(f), of a function that maps 0 to 0.
 template <class M, class Linear>
@@ -281,6 +287,18 @@ template <class Entries>
   return A;
 }
 
+// The functions that the entries of the matrix are.
+[[nodiscard]] inline model::MatrixX<InData<Ball>> entries(const InData<model::MatrixX<Ball>>& A) {
+  using Matrix = model::MatrixX<Ball>;
+  model::MatrixX<InData<Ball>> all(A.c[0].rows(), A.c[0].cols());
+  for (Eigen::Index i = 0; i < all.rows(); ++i) {
+    for (Eigen::Index k = 0; k < all.cols(); ++k) {
+      all(i, k) = mapped(A, [&](const Matrix& x) { return x(i, k); });
+    }
+  }
+  return all;
+}
+
 // 1/(a + d) = (1 - q + q² - q³ + q⁴/(1 + q))/a with q = d/a. Not finite unless a + d has no zero.
 [[nodiscard]] inline InData<Ball> reciprocal(const InData<Ball>& f) {
   const Ball one = Ball(1) / f.c[0];
@@ -296,6 +314,22 @@ template <class Entries>
   result.c[0] += Ball(1);
   result.rest += all * all * all * all / (Ball(1) + all);
   return result * one;
+}
+
+[[nodiscard]] inline InData<Ball> operator/(const InData<Ball>& f, const InData<Ball>& g) {
+  return f * reciprocal(g);
+}
+
+// That of a + d by that of d, with |exp d - 1 - d - d²/2 - d³/6| <= |d|⁴ exp |d|/24.
+[[nodiscard]] inline InData<Ball> exp(const InData<Ball>& f) {
+  InData<Ball> d = f;
+  d.c[0] = Ball(0);
+  const Ball most = abs(d.all()).upper(), fourth = most * most * most * most;
+  const InData<Ball> square = d * d;
+  InData<Ball> exp_d = d + square * Ball(0.5) + square * d * (Ball(1) / Ball(6));
+  exp_d.c[0] += Ball(1);
+  exp_d.rest += fourth * exp(most) / Ball(24) * Ball::hull(Ball(-1), Ball(1));
+  return exp_d * exp(f.c[0]);
 }
 
 // Sine and cosine of a + d by those of d, with |cos d - 1 + d²/2| <= d⁴/24 and

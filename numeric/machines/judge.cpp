@@ -35,7 +35,11 @@ Watched::Watched(const LinearPhases& phases, Piece piece, const InData<Matrix>& 
                  bool reversed)
     : phases_(phases), piece_(piece), reversed_(reversed), covers_(false) {
   if (phases.is_smooth(piece)) {
-    follow(phases, piece, w.all(), T);
+    if (phases.is_over_data()) {
+      follow<InData<Ball>>(entries(w), T);
+    } else {
+      follow<Ball>(w.all(), T);
+    }
     return;
   }
   watch_ = &phases.watch(piece, reversed);
@@ -48,21 +52,17 @@ Watched::Watched(const LinearPhases& phases, Piece piece, const InData<Matrix>& 
   stretches_.push_back({0, watch_->length, w, {}, {}, {}, {}});
 }
 
-void Watched::follow(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T) {
-  const SmoothPhase phase(phases, piece.side(), w, T, reversed_, false);
-  const Eigen::Index speed = phases.speed_row();
-  for (const SmoothPhase::Step& step : phase.steps()) {
-    Vector terms(static_cast<Eigen::Index>(step.w.size()));
-    for (Eigen::Index k = 0; k < terms.size(); ++k) {
-      terms(k) = step.w[static_cast<std::size_t>(k)](speed);
+template <class S>
+void Watched::follow(const model::VectorX<S>& w, const Ball& T) {
+  const SmoothPhaseOf<S> phase(phases_, piece_.side(), w, S(T), reversed_, false);
+  for (const auto& step : phase.steps()) {
+    model::VectorX<InData<Ball>> speeds(static_cast<Eigen::Index>(step.w.size()));
+    for (Eigen::Index k = 0; k < speeds.size(); ++k) {
+      speeds(k) = InData<Ball>(step.w[static_cast<std::size_t>(k)](phases_.speed_row()));
     }
-    stretches_.push_back({step.start,
-                          step.length * SmoothPhase::longer,
-                          {},
-                          InData<Vector>(terms),
-                          terms,
-                          zeros::in_double(terms),
-                          {}});
+    const InData<Vector> terms = mapped(together(speeds), [](const Matrix& x) { return Vector(x); });
+    stretches_.push_back(
+        {step.start, step.length * phase.longer, {}, terms, terms.all(), zeros::in_double(terms.c[0]), {}});
   }
   count_ = stretches_.size();
   covers_ = count_ > 0 &&
@@ -178,7 +178,7 @@ std::array<Ball, 4> Watched::at(const Ball& s, std::size_t derivative, const InD
     const Stretch& here = stretch(stretch_of(s.approximate()));
     const Ball r = s - Ball(here.start);
     is_inside = !r.lower().is_negative() && !(Ball(here.length) - r).lower().is_negative();
-    if (here.terms.c.size() == 1 && offset.c.size() == 1) {
+    if (here.terms.c.size() == 1 && is_none(here.terms.rest) && offset.c.size() == 1) {
       d = horner<4 + most_derivatives>(here.terms.c[0], r, count);
       d[0] += offset.c[0];
     } else {

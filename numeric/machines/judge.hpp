@@ -45,7 +45,8 @@ class Watched {
   [[nodiscard]] const Stretch& stretch(std::size_t k) const;
   [[nodiscard]] std::size_t stretch_of(double s) const;
 
-  void follow(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& T);
+  template <class S>
+  void follow(const model::VectorX<S>& w, const Ball& T);
   [[nodiscard]] InData<Vector> terms_at(const InData<Matrix>& w) const;
 
   const LinearPhases::Watch * watch_ = nullptr;  // nothing on a smooth law, where all stretches are there

@@ -9,6 +9,7 @@
 #include <compare>
 #include <map>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,7 @@ struct Piece {
 class LinearPhases {
  public:
   explicit LinearPhases(const model::FrictionOscillator<Ball>& oscillator);
-  // Of all machines whose numbers are these functions of data; on no smooth law.
+  // Of all machines whose numbers are these functions of data.
   explicit LinearPhases(const OscillatorInData& machines);
   [[nodiscard]] bool is_over_data() const { return machines_.has_value(); }
   [[nodiscard]] std::size_t data() const { return machines_ ? machines_->data : 0; }
@@ -59,6 +60,15 @@ class LinearPhases {
   [[nodiscard]] Matrix flow(Piece piece, const Ball& h) const;
   // That times w.
   [[nodiscard]] Vector after(Piece piece, const Ball& h, const Vector& w) const;
+  // Those of the machine, or of all: S is Ball or InData<Ball>.
+  template <class S>
+  [[nodiscard]] const model::FrictionOscillator<S>& numbers() const {
+    if constexpr (std::is_same_v<S, Ball>) {
+      return oscillator_;
+    } else {
+      return machines_->numbers;
+    }
+  }
   // As functions of the data: a number of the oscillator; and what ends the piece, r on a stick and x_j'
   // else, as a row.
   template <class F>

@@ -35,11 +35,16 @@ std::pair<bool, bool> drops(const model::FrictionOscillator<Rational>& o) {
   return {drops(o.forward), drops(o.backward)};
 }
 
+// Whether the laws are smooth, and fall, alike.
+bool are_alike(const model::FrictionLaw<Rational>& a, const model::FrictionLaw<Rational>& b) {
+  return a.sliding.size() == b.sliding.size() && a.smooth.has_value() == b.smooth.has_value() &&
+         (!a.smooth || a.smooth->fall == b.smooth->fall);
+}
+
 bool have_same_shape(const model::FrictionOscillator<Rational>& a,
                      const model::FrictionOscillator<Rational>& b) {
   return a.size() == b.size() && a.rubbing == b.rubbing && have_same_loads(a, b) && drops(a) == drops(b) &&
-         a.forward.sliding.size() == b.forward.sliding.size() &&
-         a.backward.sliding.size() == b.backward.sliding.size();
+         are_alike(a.forward, b.forward) && are_alike(a.backward, b.backward);
 }
 
 }  // namespace
@@ -227,7 +232,14 @@ NumbersInData::NumbersInData(const std::function<Machine(const Values&)>& at, co
   }
   const Points points(data);
   std::vector<Machine> machines;
-  std::ranges::transform(points.all(), std::back_inserter(machines), machine_at);
+  for (const Values& s : points.all()) {
+    Machine& machine = machines.emplace_back(machine_at(s));
+    for (auto * law : {&machine.oscillator.forward, &machine.oscillator.backward}) {
+      if (law->smooth) {  // the pieces near it are no part of what is proved
+        law->sliding = {{0, law->smooth->first, 0}};
+      }
+    }
+  }
   find(machines, points);
 }
 
@@ -238,10 +250,6 @@ NumbersInData::NumbersInData(const std::function<Machine(const Values&)>& at, co
 // or all do.
 void NumbersInData::find(const std::vector<Machine>& machines, const Points& points) {
   const auto& in_middle = machines.front().oscillator;
-  if (in_middle.forward.smooth || in_middle.backward.smooth) {
-    why_not_ = "a smooth law of friction";
-    return;
-  }
   const char * const others = "a number of the machine is no quotient of linear functions of the data";
   std::vector<Values> numbers;  // of all points
   for (const Machine& machine : machines) {

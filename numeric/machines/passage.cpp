@@ -40,6 +40,38 @@ Passage passage(const LinearPhases& phases, Piece piece, const Vector& w, const 
   return result;
 }
 
+PassageInData passage(const LinearPhases& phases, Piece piece, const InData<Matrix>& w, const InData<Ball>& h,
+                      bool with_derivative) {
+  const Eigen::Index states = 2 * phases.masses();
+  const auto top = [&](const Matrix& A) { return Matrix(A.topRows(states)); };
+  if (phases.is_smooth(piece)) {
+    const model::VectorX<InData<Ball>> begin = entries(w);
+    const SmoothPhaseOf<InData<Ball>> phase(phases, piece.side(), begin, h, false, with_derivative);
+    const model::VectorX<InData<Ball>> end = phase.end();
+    PassageInData result{together(end), {}, {}, {}, {}};
+    if (with_derivative) {
+      result.leaves = together(smooth_rate(phases, piece.side(), begin));
+      result.arrives = together(smooth_rate(phases, piece.side(), end));
+      result.derivative = together(phase.derivative());
+      result.by_time = mapped(result.arrives, top) - result.derivative * mapped(result.leaves, top);
+    }
+    return result;
+  }
+  const InData<Matrix> flow = phases.flow(piece, h);
+  PassageInData result{flow * w, {}, {}, {}, {}};
+  if (with_derivative) {
+    const InData<Matrix>& B = phases.drift_in_data(piece);
+    const Eigen::Index loads = w.c[0].rows() - states;
+    result.leaves = product(B, w, sparse_product<Matrix>);
+    result.arrives = product(B, result.reached, sparse_product<Matrix>);
+    result.derivative =
+        mapped(flow, [&](const Matrix& A) { return Matrix(A.topLeftCorner(states, states)); });
+    result.by_time = mapped(flow, [&](const Matrix& A) { return Matrix(A.topRightCorner(states, loads)); }) *
+                     mapped(result.leaves, [&](const Matrix& A) { return Matrix(A.bottomRows(loads)); });
+  }
+  return result;
+}
+
 bool may_follow(const Piece& before, const Piece& after) {
   return before.kind != after.kind ||
          (after.kind != PhaseKind::stick && std::abs(before.number - after.number) == 1);

@@ -22,6 +22,13 @@ struct Passage {
 [[nodiscard]] Passage passage(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& h,
                               bool with_derivative);
 
+// Of all machines over data; likewise, what is not asked for is empty.
+struct PassageInData {
+  InData<Matrix> reached, leaves, arrives, derivative, by_time;
+};
+[[nodiscard]] PassageInData passage(const LinearPhases& phases, Piece piece, const InData<Matrix>& w,
+                                    const InData<Ball>& h, bool with_derivative);
+
 // Whether an event may lie between the two: the belt's velocity, or that at which pieces of the law meet.
 [[nodiscard]] bool may_follow(const Piece& before, const Piece& after);
 // x_j' where `before` ends and `after` begins: the belt's velocity, or that at which the law's pieces meet.
