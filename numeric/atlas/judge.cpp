@@ -131,7 +131,7 @@ class Judge {
     if (sheet.has_equation()) {
       known.cells = settled<S, N>(f(sheet), df(sheet), known.cells, data_.least);
       const auto found =
-          zeros_between(known.cells, [&](int u) { return detail::sign_of(f(sheet)(T(u)).over); });
+          zeros_between(known.cells, [&](int u) { return scalars::sign_of(f(sheet)(T(u)).over); });
       if (const auto * reason = std::get_if<Reason>(&found)) {
         return *reason;
       }

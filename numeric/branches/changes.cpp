@@ -128,9 +128,8 @@ Stretch look_at_turn(const Traced& t, Stretch s) {
       quantity *= factor;
     }
   }
-  const Ball slope = quantity.partial(0) * Ball(s.first < s.last ? 1 : -1);
   s.may_turn = !f.value<ParameterJet>(proof.x, proof.p).partial(0).is_nonzero();
-  s.goes = slope.is_positive() ? 1 : slope.is_negative() ? -1 : 0;
+  s.goes = scalars::sign_of(quantity.partial(0)) * (s.first < s.last ? 1 : -1);
   return s;
 }
 

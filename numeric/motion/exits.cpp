@@ -6,10 +6,6 @@ using zeros::ParameterJet;
 
 namespace {
 
-int sign(const Ball& x) {
-  return x.is_positive() ? 1 : x.is_negative() ? -1 : 0;
-}
-
 template <class S>
 ExitFactors<S> factors_of(const MotionOf<S>& motion, bool is_symmetric) {
   return is_symmetric ? symmetric_exit_factors(motion) : exit_factors(motion);
@@ -29,7 +25,7 @@ std::optional<StabilityKind> stability_over(const zeros::ParametricProof& proof,
   const auto sign_of = [&](const std::vector<ParameterJet>& a, const std::vector<Ball>& b) {
     int product = 1;
     for (std::size_t k = 0; k < a.size(); ++k) {
-      product *= sign(proof.over_box(a[k], b[k]));
+      product *= scalars::sign_of(proof.over_box(a[k], b[k]));
     }
     return product;
   };

@@ -9,6 +9,7 @@
 #include <array>
 #include <deque>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/interruption.hpp"
@@ -47,8 +48,7 @@ template <int N>
     if (!side.is_finite()) {
       continue;
     }
-    const double low = arf_get_d(arb_midref(side.lower().raw()), ARF_RND_FLOOR);
-    const double high = arf_get_d(arb_midref(side.upper().raw()), ARF_RND_CEIL);
+    const auto [low, high] = scalars::ends(side);
     result.lower[i] = std::max(cell.lower[i], low);
     result.upper[i] = std::min(cell.upper[i], high);
     if (result.lower[i] > result.upper[i]) {
@@ -63,9 +63,7 @@ template <int N>
 [[nodiscard]] Cell<N> inside(const Box<N>& box) {
   Cell<N> result;
   for (std::size_t i = 0; i < N; ++i) {
-    const Ball& side = box(static_cast<int>(i));
-    result.lower[i] = arf_get_d(arb_midref(side.lower().raw()), ARF_RND_CEIL);
-    result.upper[i] = arf_get_d(arb_midref(side.upper().raw()), ARF_RND_FLOOR);
+    std::tie(result.lower[i], result.upper[i]) = scalars::inner_ends(box(static_cast<int>(i)));
   }
   return result;
 }
