@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/names.hpp"
 #include "numeric/branches/law.hpp"
 #include "numeric/branches/setting.hpp"
 #include "numeric/families/family.hpp"
@@ -37,24 +38,14 @@ constexpr std::size_t most_values = 50;
 // Radius of boxes in which motions that are too large are not told apart any more.
 constexpr double small = 0x1p-10;
 
-std::string words_of(const Path& path, const BranchQuestion& question) {
-  switch (path.end) {
-    case End::interval:
-      return "the end of the interval";
-    case End::absent:
-      return "a phase lasts no time";
-    case End::closed:
-      return "the branch is a closed curve";
-    case End::infinite:
-      return "the motion grows beyond all bounds";
-    case End::stopped:
-      return fmt::format("followed no further: {}", path.reason);
-  }
-  throw InternalError("a branch that ends in no known way at " + question.parameter);
+std::string words_of(const Path& path) {
+  return name_of<End::stopped>(path.end, "the end of the interval", "a phase lasts no time",
+                               "the branch is a closed curve", "the motion grows beyond all bounds",
+                               "followed no further: " + path.reason);
 }
 
 BranchEnd end_of(const Path& path, const BranchQuestion& question) {
-  BranchEnd end{path.last.value, words_of(path, question), path.end};
+  BranchEnd end{path.last.value, words_of(path), path.end};
   if (path.end == End::stopped) {
     const std::string resonance = resonance_near(path.last.value, question);
     end.words += resonance;

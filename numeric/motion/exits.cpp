@@ -1,5 +1,7 @@
 #include "numeric/motion/exits.hpp"
 
+#include "core/names.hpp"
+
 namespace stickslip::numeric::motion {
 
 using zeros::ParameterJet;
@@ -14,7 +16,7 @@ ExitFactors<S> factors_of(const MotionOf<S>& motion, bool is_symmetric) {
 }  // namespace
 
 std::string to_string(Exit exit) {
-  return exit == Exit::plus_one ? "real +1" : exit == Exit::minus_one ? "real -1" : "complex pair";
+  return name_of<Exit::pair>(exit, "real +1", "real -1", "complex pair");
 }
 
 std::optional<StabilityKind> stability_over(const zeros::ParametricProof& proof,

@@ -3,21 +3,14 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/names.hpp"
 
 namespace stickslip::numeric::motion {
 
 using model::Vector4;
 
 std::string to_string(PhaseKind kind) {
-  switch (kind) {
-    case PhaseKind::slip:
-      return "slip";
-    case PhaseKind::overshoot:
-      return "overshoot";
-    case PhaseKind::stick:
-      return "stick";
-  }
-  throw InternalError("a phase of no known kind");
+  return name_of<PhaseKind::stick>(kind, "slip", "overshoot", "stick");
 }
 
 namespace {

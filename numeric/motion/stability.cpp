@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
+#include "core/names.hpp"
 #include "numeric/motion/multipliers.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
@@ -101,17 +101,7 @@ bool are_inside_unit_circle(const SquareMatrix& map) {
 }  // namespace
 
 std::string to_string(StabilityKind kind) {
-  switch (kind) {
-    case StabilityKind::stable:
-      return "stable";
-    case StabilityKind::unstable:
-      return "unstable";
-    case StabilityKind::marginal:
-      return "marginal";
-    case StabilityKind::undecided:
-      return "undecided";
-  }
-  throw InternalError("a stability of no known kind");
+  return name_of<StabilityKind::undecided>(kind, "stable", "unstable", "marginal", "undecided");
 }
 
 Stability stability_of(const SquareMatrix& return_map, bool collapses) {
