@@ -4,7 +4,7 @@
 
 #include "core/interruption.hpp"
 #include "core/names.hpp"
-#include "numeric/branches/pieces.hpp"
+#include "numeric/branches/changes.hpp"
 #include "numeric/branches/resonance.hpp"
 #include "numeric/branches/search.hpp"
 #include "numeric/branches/setting.hpp"

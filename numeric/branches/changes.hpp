@@ -1,5 +1,5 @@
-// What changes at a place between two parts of a branch on which all is decided: named, and proved to happen
-// there once.
+// From the parts of a branch to its pieces, on which nothing changes; and what changes at a place between two
+// on which all is decided: named, and proved to happen there once.
 #pragma once
 
 #include "numeric/branches/law.hpp"
@@ -13,6 +13,21 @@ struct Traced {
   const std::vector<Cell>& cells;
   const std::vector<Part>& parts;
 };
+
+// From the parts to the pieces (pieces.cpp).
+
+// Fills in pieces, changes and ends: `first` and `last` as the path has them, replaced where the branch ends
+// by a birth before. What is neither decided nor a change goes to `unresolved`.
+void describe(const Traced& traced, Branch& branch, std::vector<UnresolvedPart>& unresolved);
+
+// Between neighbouring values at which a piece or an unresolved part begins or ends, where nothing changes;
+// not where a branch may turn. Where all branches are looked for, `open` are the parts in which there may be
+// orbits on none.
+[[nodiscard]] std::vector<Count> counts_of(const BranchQuestion& question,
+                                           const std::vector<Branch>& branches,
+                                           const std::vector<UnresolvedPart>& open);
+
+// What changes between them.
 
 // The undecided parts between two decided ones, and scraps of decided ones among them.
 struct Gap {

@@ -99,7 +99,7 @@ bool hold_large(const Sheet& sheet, const LargeBounds& large, const Bounds& para
     }
     e.first = std::max(e.first, 0.0);
     return std::any_of(sheet.branches.begin(), sheet.branches.end(), [&](const Followed& branch) {
-      return branch.tubes.hold({large.place, sign, large.growing}, x, parameter);
+      return branch.tubes.hold(Units{large.place, sign, large.growing}, x, parameter);
     });
   };
   return holds_sign(1) && holds_sign(-1);

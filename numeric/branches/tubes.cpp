@@ -1,10 +1,9 @@
-#include "numeric/branches/tubes.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/parallel.hpp"
+#include "numeric/branches/search.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -123,27 +122,23 @@ bool Tubes::hold(const std::vector<Bounds>& x, const Bounds& parameter) const {
     return false;
   }
   if (angle_ < 0) {
-    return hold_in({}, x, parameter);
+    return hold(std::nullopt, x, parameter);
   }
   for (int k = -2; k <= 2; ++k) {
     std::vector<Bounds> turned = x;
     Bounds& side = turned[static_cast<std::size_t>(angle_)];
     // The turn is a little less or more than 2 pi.
     side = {side.first + k * turn - 0x1p-40, side.second + k * turn + 0x1p-40};
-    if (hold_in({}, turned, parameter)) {
+    if (hold(std::nullopt, turned, parameter)) {
       return true;
     }
   }
   return false;
 }
 
-bool Tubes::hold(const Units& units, const std::vector<Bounds>& x, const Bounds& parameter) const {
-  return hold_in(units, x, parameter);
-}
-
 // Along each branch neighbouring tubes with the same driver and units may hold the bounds together.
-bool Tubes::hold_in(const std::optional<Units>& units, const std::vector<Bounds>& x,
-                    const Bounds& parameter) const {
+bool Tubes::hold(const std::optional<Units>& units, const std::vector<Bounds>& x,
+                 const Bounds& parameter) const {
   const Tube * before = nullptr;
   Bounds held{};
   for (const Tube& tube : tubes_) {

@@ -78,16 +78,6 @@ template <int N>
   return true;
 }
 
-template <int N>
-[[nodiscard]] bool contains(const Box<N>& outer, const Box<N>& inner) {
-  for (int i = 0; i < N; ++i) {
-    if (!outer(i).contains(inner(i))) {
-      return false;
-    }
-  }
-  return true;
-}
-
 // A zero in `zero`, the only one in `unique`.
 template <int N>
 struct FoundZero {
