@@ -64,9 +64,7 @@ template <class S>
     M = motion::saltation_between<S>(motion.oscillator, motion.phases[k - 1].kind, motion.phases[k]) * M;
     M = motion::tangent_flow<S>(motion.oscillator, motion.phases[k]) * M;
   }
-  const auto d = [&](int i, int j) { return S(S(i == j ? 1 : 0) - M(i, j)); };
-  const auto minor = [&](int j, int k) { return S(d(1, j) * d(2, k) - d(1, k) * d(2, j)); };
-  return d(0, 0) * minor(1, 2) - d(0, 1) * minor(0, 2) + d(0, 2) * minor(0, 1);
+  return motion::determinant3<S>(model::Matrix4<S>::Identity() - M);
 }
 
 }  // namespace stickslip::numeric::branches

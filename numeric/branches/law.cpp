@@ -252,11 +252,7 @@ constexpr double shortest_time = 0x1p-24;
 constexpr long most_times = 20000;
 
 Trend trend(const ParameterJet& g) {
-  if (g.value.is_positive()) {
-    return Trend::above;
-  }
-  const Ball slope = g.partial(0);
-  return slope.is_positive() ? Trend::rising : slope.is_negative() ? Trend::falling : Trend::unknown;
+  return g.value.is_positive() ? Trend::above : by_slope(g);
 }
 
 // g at the times from a to b, by its slope in time; the derivative by the driver at a fixed time.
@@ -297,6 +293,11 @@ Trend from_start(const model::Wave<ParameterJet>& g, double last, bool touched) 
 }
 
 }  // namespace
+
+Trend by_slope(const ParameterJet& g) {
+  const Ball slope = g.partial(0);
+  return slope.is_positive() ? Trend::rising : slope.is_negative() ? Trend::falling : Trend::unknown;
+}
 
 Trend joined(Trend a, Trend b) {
   return a == Trend::above ? b : b == Trend::above || a == b ? a : Trend::unknown;

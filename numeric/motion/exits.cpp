@@ -6,15 +6,6 @@ namespace stickslip::numeric::motion {
 
 using zeros::ParameterJet;
 
-namespace {
-
-template <class S>
-ExitFactors<S> factors_of(const MotionOf<S>& motion, bool is_symmetric) {
-  return is_symmetric ? symmetric_exit_factors(motion) : exit_factors(motion);
-}
-
-}  // namespace
-
 std::string to_string(Exit exit) {
   return name_of<Exit::pair>(exit, "real +1", "real -1", "complex pair");
 }
@@ -22,8 +13,8 @@ std::string to_string(Exit exit) {
 std::optional<StabilityKind> stability_over(const zeros::ParametricProof& proof,
                                             const MotionOf<ParameterJet>& jets, const Motion& middle,
                                             bool is_symmetric) {
-  const ExitFactors<ParameterJet> over = factors_of(jets, is_symmetric);
-  const ExitFactors<Ball> at_middle = factors_of(middle, is_symmetric);
+  const ExitFactors<ParameterJet> over = exit_factors(jets, is_symmetric);
+  const ExitFactors<Ball> at_middle = exit_factors(middle, is_symmetric);
   const auto sign_of = [&](const std::vector<ParameterJet>& a, const std::vector<Ball>& b) {
     int product = 1;
     for (std::size_t k = 0; k < a.size(); ++k) {
