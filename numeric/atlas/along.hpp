@@ -54,19 +54,17 @@ template <class T, class G>
 // The requirements on a motion over a whole box of parameters (motion/requirements.hpp): for every time of a
 // phase, by mean value forms in the time and the parameters at once.
 
-// Truth::proved or refuted, for every member, or undecided.
-template <class S>
-[[nodiscard]] Truth is_positive_over(const S& x) {
-  return x.is_positive() ? Truth::proved : x.is_negative() ? Truth::refuted : Truth::undecided;
-}
-
 struct Decision {
   Truth truth = Truth::undecided;
   Hope hope = {};
 };
+// Whether x > 0 for every member, or x < 0.
 template <class T>
 [[nodiscard]] Decision decide_positive(const T& x) {
-  return {is_positive_over(x.over), hope_of(x)};
+  return {x.over.is_positive()   ? Truth::proved
+          : x.over.is_negative() ? Truth::refuted
+                                 : Truth::undecided,
+          hope_of(x)};
 }
 
 // Whether g(t) > 0 for 0 < t < duration, ends included except for those that g touches: there it is zero by

@@ -19,20 +19,15 @@ bool takes_phi(const families::Family& family) {
 const std::vector<std::string>& names_of(const families::Family& family, Values values) {
   using Names = std::vector<std::string>;
   static const auto lists = [] {
-    const Names bodies{"m1", "m2", "k1", "k2"};
-    const Names motion{"belt_velocity", "load_amplitude", "load_frequency"};
-    const auto machine = [&](const Names& friction) {
-      Names all = bodies;
-      all.insert(all.end(), friction.begin(), friction.end());
-      all.insert(all.end(), motion.begin(), motion.end());
-      return all;
-    };
-    std::array<std::array<Names, 2>, 3> all;
+    const std::array<Names, 3> without_datum{Names{"chi", "eta", "us", "V", "omega", "p"},
+                                             {"m1", "m2", "k1", "k2", "normal_force", "friction_sliding",
+                                              "belt_velocity", "load_amplitude", "load_frequency"},
+                                             {"m1", "m2", "k1", "k2", "friction_force_sliding",
+                                              "belt_velocity", "load_amplitude", "load_frequency"}};
     const std::array<const char *, 3> at_rest{"ur", "friction_at_rest", "friction_force_at_rest"};
+    std::array<std::array<Names, 2>, 3> all;
     for (std::size_t k = 0; k < all.size(); ++k) {
-      all[k].fill(k == 0   ? Names{"chi", "eta", "us", "V", "omega", "p"}
-                  : k == 1 ? machine({"normal_force", "friction_sliding"})
-                           : machine({"friction_force_sliding"}));
+      all[k].fill(without_datum[k]);
       all[k][0].emplace_back(at_rest[k]);
       all[k][1].emplace_back("phi");
     }

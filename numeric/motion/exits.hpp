@@ -75,17 +75,11 @@ template <class S>
 // seen where a stick begins, with more than one. Then not finite where one of them may end at rest.
 template <class S>
 [[nodiscard]] std::vector<S> multiplier_coefficients(const MotionOf<S>& motion) {
-  std::size_t stick = 0, sticks = 0;
-  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
-    if (motion.phases[k].kind == PhaseKind::stick) {
-      stick = k;
-      ++sticks;
-    }
-  }
-  if (sticks < 2) {
+  const std::vector<std::size_t> sticks = sticks_of(motion);
+  if (sticks.size() < 2) {
     return multiplier_polynomial(motion);
   }
-  const model::Matrix4<S> M = monodromy<S>(motion, stick);
+  const model::Matrix4<S> M = monodromy<S>(motion, sticks.back());
   const auto minor = [&](int i, int j) { return S(M(i, i) * M(j, j) - M(i, j) * M(j, i)); };
   return {S(-determinant3<S>(M)), S(minor(0, 1) + minor(0, 2) + minor(1, 2)), S(-M(0, 0) - M(1, 1) - M(2, 2)),
           S(1)};
