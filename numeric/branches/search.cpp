@@ -283,17 +283,6 @@ std::vector<zeros::UnresolvedBox<3>> Search::rest_of(const Strip& strip, const z
   return searched.unresolved;
 }
 
-// Around the box, within the domain.
-zeros::Cell<3> cell_around(const StripBox& box, const zeros::Cell<3>& domain) {
-  zeros::Cell<3> cell = domain;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto [low, high] = scalars::ends(box(static_cast<int>(i)));
-    cell.lower[i] = std::clamp(low, domain.lower[i], domain.upper[i]);
-    cell.upper[i] = std::clamp(high, domain.lower[i], domain.upper[i]);
-  }
-  return cell;
-}
-
 // Coarse cells first: where they leave something open there may be a branch that is not known yet, so all
 // orbits at a value there are looked for.
 void Search::exhaust() {
@@ -348,7 +337,8 @@ void Search::exhaust() {
           continue;
         }
         for (const zeros::UnresolvedBox<3>& box : rest_of(*one.strip, one.cell, smallest)) {
-          rest.push_back({one.strip, cell_around(box.box, one.strip->domain), box.reason, false});
+          rest.push_back({one.strip, zeros::clip<3>(one.strip->domain, box.box).value_or(one.strip->domain),
+                          box.reason, false});
           rest.back().given_up = smallest <= fine && rest.back().length() > one.length() / 2;
         }
       }
