@@ -16,6 +16,12 @@ struct Parameters {
   S p;      // load amplitude
 };
 
+// f of each.
+template <class T, class S, class F>
+[[nodiscard]] Parameters<T> mapped(const Parameters<S>& a, const F& f) {
+  return {f(a.chi), f(a.eta), f(a.us), f(a.V), f(a.omega), f(a.p)};
+}
+
 // Natural frequencies 0 < omega1 < 1 < omega2 and the second components of the eigenvectors (1, lambda_j),
 // (39). A caller may take any scalars for the four: a formula that holds for all of them holds for the modes.
 template <class S>
@@ -85,7 +91,7 @@ template <class T, class S>
 
 template <class T, class S>
 [[nodiscard]] Parameters<T> lift(const Parameters<S>& a) {
-  return {T(a.chi), T(a.eta), T(a.us), T(a.V), T(a.omega), T(a.p)};
+  return mapped<T>(a, [](const S& x) { return T(x); });
 }
 
 // The energy of a deviation, and of a motion.

@@ -40,11 +40,7 @@ Ball ball(const Range& range) {
 // f of each datum.
 template <class S>
 Given<S> each(const OrbitQuestion& q, S (*f)(const Range&)) {
-  const model::Parameters<Range>& a = q.parameters;
-  const auto of = [&](const std::optional<Range>& range) {
-    return range ? std::optional<S>(f(*range)) : std::nullopt;
-  };
-  return {{f(a.chi), f(a.eta), f(a.us), f(a.V), f(a.omega), f(a.p)}, of(q.phi), of(q.ur)};
+  return mapped<S>(Given<Range>{q.parameters, q.phi, q.ur}, f);
 }
 
 Concluded<Orbit> at_the_point(const OrbitQuestion& q, const Candidate& candidate, int digits) {

@@ -54,19 +54,17 @@ template <class T, class G>
 // The requirements on a motion over a whole box of parameters (motion/requirements.hpp): for every time of a
 // phase, by mean value forms in the time and the parameters at once.
 
-// Truth::proved or refuted, for every member, or undecided.
-template <class S>
-[[nodiscard]] Truth is_positive_over(const S& x) {
-  return x.is_positive() ? Truth::proved : x.is_negative() ? Truth::refuted : Truth::undecided;
-}
-
 struct Decision {
   Truth truth = Truth::undecided;
   Hope hope = {};
 };
+// Whether x > 0 for every member, or x < 0.
 template <class T>
 [[nodiscard]] Decision decide_positive(const T& x) {
-  return {is_positive_over(x.over), hope_of(x)};
+  return {x.over.is_positive()   ? Truth::proved
+          : x.over.is_negative() ? Truth::refuted
+                                 : Truth::undecided,
+          hope_of(x)};
 }
 
 // Whether g(t) > 0 for 0 < t < duration, ends included except for those that g touches: there it is zero by
@@ -164,34 +162,37 @@ template <class T, class G>
   return {Truth::undecided, hope};
 }
 
-// What a motion over a box of parameters has to obey, whatever its phases.
-
-// Whether a motion all of whose phases last obeys the requirement at the friction ur; where `ur_is_free` some
-// ur > us has to be right, and serves if ur = us does. Only the open times of the phase are looked at.
+// A motion over a box of parameters all of whose phases last, and what it has to obey, whatever these are.
 template <class T>
-[[nodiscard]] Decision holds_over(const motion::MotionOf<T>& motion, const T& ur, bool ur_is_free,
-                                  const motion::Requirement& q, double least, Times& open) {
-  const model::Parameters<T>& a = motion.oscillator.data;
-  switch (q.quantity) {
-    case motion::Quantity::duration:
-      return {Truth::proved};
-    case motion::Quantity::slipping_friction:
-      return decide_positive(a.us);
-    case motion::Quantity::friction_step:
-      return ur_is_free ? Decision{Truth::proved} : decide_positive(T(ur - a.us));
-    default:
-      break;
+struct MotionOver {
+  motion::MotionOf<T> motion;
+  std::optional<T> ur;  // where it is not given some ur > us has to be right, and serves if ur = us does
+
+  // Only the open times of the phase are looked at.
+  [[nodiscard]] Decision holds(const motion::Requirement& q, double least, Times& open) const {
+    const model::Parameters<T>& a = motion.oscillator.data;
+    const T friction = ur.value_or(a.us);
+    switch (q.quantity) {
+      case motion::Quantity::duration:
+        return {Truth::proved};
+      case motion::Quantity::slipping_friction:
+        return decide_positive(a.us);
+      case motion::Quantity::friction_step:
+        return ur ? decide_positive(T(friction - a.us)) : Decision{Truth::proved};
+      default:
+        break;
+    }
+    const motion::Affine<T> form = motion::affine_form<T>(a, friction, q.quantity);
+    const motion::PhaseOf<T>& phase = motion.phases[q.phase];
+    if (!q.along) {
+      const T r = model::friction_at<T>(a, phase.Z, phase.load);
+      return decide_positive(T(form.factor * r + form.offset));
+    }
+    const model::PhaseWaves<T> waves = motion::waves_of<T>(motion.oscillator, phase);
+    const auto g = [wave = model::affine<T>(form.factor, form.of_speed ? waves.zdot2 : waves.r, form.offset)](
+                       const T& t) { return model::value_and_slope<T>(wave, t); };
+    return is_positive_along<T>(g, phase.duration, q.touches, least, open);
   }
-  const motion::Affine<T> form = motion::affine_form<T>(a, ur, q.quantity);
-  const motion::PhaseOf<T>& phase = motion.phases[q.phase];
-  if (!q.along) {
-    const T r = model::friction_at<T>(a, phase.Z, phase.load);
-    return decide_positive(T(form.factor * r + form.offset));
-  }
-  const model::PhaseWaves<T> waves = motion::waves_of<T>(motion.oscillator, phase);
-  const auto g = [wave = model::affine<T>(form.factor, form.of_speed ? waves.zdot2 : waves.r, form.offset)](
-                     const T& t) { return model::value_and_slope<T>(wave, t); };
-  return is_positive_along<T>(g, phase.duration, q.touches, least, open);
-}
+};
 
 }  // namespace stickslip::numeric::atlas

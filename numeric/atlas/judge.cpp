@@ -6,7 +6,6 @@
 #include <variant>
 
 #include "numeric/atlas/judging.hpp"
-#include "numeric/atlas/nonsticking_orbit.hpp"
 #include "numeric/atlas/symmetric_orbit.hpp"
 #include "numeric/atlas/zeros_over.hpp"
 
@@ -67,6 +66,24 @@ bool may_be_resonant(const model::Oscillator<T>& o) {
 }
 
 // ---- all orbits of a family with one unknown
+
+// An orbit that never sticks over a box of parameters: what it has to obey, and its multipliers.
+template <class T>
+struct NonstickingOrbit : MotionOver<T> {
+  T share;  // of the slip in the period
+
+  // The orbit of the sheet at the share u; nothing when it may be two. When ur is not given, some ur > us has
+  // to be small enough: (25) and (26) at ur = us.
+  [[nodiscard]] static std::optional<NonstickingOrbit> at(const Sheet& sheet, const Setting<T>& s, const T& u,
+                                                          const std::optional<T>& ur) {
+    auto motion = motion_of<T>(sheet, s, u);
+    return motion ? std::optional(NonstickingOrbit{{std::move(*motion), ur}, u}) : std::nullopt;
+  }
+
+  [[nodiscard]] Decision stability() const {
+    return stability_without_stick<T>(this->motion.oscillator, share);
+  }
+};
 
 // Orbit: SymmetricOrbit or NonstickingOrbit.
 template <template <class> class OrbitOf, class S, int N>
@@ -131,7 +148,7 @@ class Judge {
     if (sheet.has_equation()) {
       known.cells = settled<S, N>(f(sheet), df(sheet), known.cells, data_.least);
       const auto found =
-          zeros_between(known.cells, [&](int u) { return detail::sign_of(f(sheet)(T(u)).over); });
+          zeros_between(known.cells, [&](int u) { return scalars::sign_of(f(sheet)(T(u)).over); });
       if (const auto * reason = std::get_if<Reason>(&found)) {
         return *reason;
       }

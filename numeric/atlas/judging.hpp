@@ -75,7 +75,7 @@ template <class T, class S>
     const double low = around(x.lower).first;
     const double high = around(x.upper).second;
     const double middle = low + (high - low) / 2;
-    const double radius = std::nextafter(std::max(high - middle, middle - low), INFINITY);
+    const double radius = scalars::reach(low, middle, high);
     all.push_back(next == k ? instead : T::variable(middle, radius, next));
     data.axes.push_back(all.back());
     ++next;

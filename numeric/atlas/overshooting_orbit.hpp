@@ -16,11 +16,10 @@
 namespace stickslip::numeric::atlas {
 
 template <class S, int N>
-class OvershootingOrbit {
+struct OvershootingOrbit : MotionOver<scalars::Form<S, N>> {
   using T = scalars::Form<S, N>;
   static constexpr auto phi_given = families::Datum::phase;
 
- public:
   // What the closing conditions are written in.
   struct Setting {
     model::Oscillator<T> o;
@@ -57,7 +56,8 @@ class OvershootingOrbit {
     return std::array<T, 2>{of_odd, T(C * without_C - o * rows(2, 1) * of_even)};
   }
 
-  // That of the zero (s, w), with positive durations; nothing when its amplitudes may be unbounded.
+  // That of the zero (s, w), with positive durations, and ur is r where the stick ends, by (12); nothing when
+  // its amplitudes may be unbounded.
   [[nodiscard]] static std::optional<OvershootingOrbit> at(const Setting& setting, const T& s, const T& w) {
     const Eigen::Matrix<T, 2, 1> sw(s, w);
     const auto reduced =
@@ -68,29 +68,19 @@ class OvershootingOrbit {
     zeros::VectorOf<T> x(5);
     x.template head<2>() = families::times<T, 2>(setting.closing.d.Theta, sw);
     x.template tail<3>() = reduced->linear;
-    return OvershootingOrbit(
-        families::overshooting_motion<T>(setting.closing.d, setting.o, setting.closing.given, x));
-  }
-
-  // ur is r where the stick ends, by (12).
-  [[nodiscard]] Decision holds(const motion::Requirement& q, double least, Times& open) const {
-    return holds_over<T>(motion_, ur_, false, q, least, open);
+    motion::MotionOf<T> motion =
+        families::overshooting_motion<T>(setting.closing.d, setting.o, setting.closing.given, x);
+    const motion::PhaseOf<T>& first = motion.phases[0];
+    const T ur = model::friction_at<T>(motion.oscillator.data, first.Z, first.load);
+    return OvershootingOrbit{{std::move(motion), ur}};
   }
 
   // Of an admissible orbit: then the rate at which the stick ends is positive.
   [[nodiscard]] Decision stability() const {
-    const std::vector<T> c = motion::multiplier_polynomial<T>(motion_);
+    const std::vector<T> c = motion::multiplier_polynomial<T>(this->motion);
     return is_inside_unit_circle<T>({T(-c[2] / c[3]), T(c[1] / c[3]), T(-c[0] / c[3])},
                                     T((c[0] + c[1] + c[2] + c[3]) / c[3]));
   }
-
- private:
-  explicit OvershootingOrbit(motion::MotionOf<T> motion)
-      : motion_(std::move(motion)),
-        ur_(model::friction_at<T>(motion_.oscillator.data, motion_.phases[0].Z, motion_.phases[0].load)) {}
-
-  motion::MotionOf<T> motion_;
-  T ur_;
 };
 
 }  // namespace stickslip::numeric::atlas

@@ -7,6 +7,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "core/names.hpp"
 #include "numeric/families/isolate.hpp"
 
 namespace stickslip::numeric::atlas {
@@ -18,20 +19,15 @@ bool takes_phi(const families::Family& family) {
 const std::vector<std::string>& names_of(const families::Family& family, Values values) {
   using Names = std::vector<std::string>;
   static const auto lists = [] {
-    const Names bodies{"m1", "m2", "k1", "k2"};
-    const Names motion{"belt_velocity", "load_amplitude", "load_frequency"};
-    const auto machine = [&](const Names& friction) {
-      Names all = bodies;
-      all.insert(all.end(), friction.begin(), friction.end());
-      all.insert(all.end(), motion.begin(), motion.end());
-      return all;
-    };
-    std::array<std::array<Names, 2>, 3> all;
+    const std::array<Names, 3> without_datum{Names{"chi", "eta", "us", "V", "omega", "p"},
+                                             {"m1", "m2", "k1", "k2", "normal_force", "friction_sliding",
+                                              "belt_velocity", "load_amplitude", "load_frequency"},
+                                             {"m1", "m2", "k1", "k2", "friction_force_sliding",
+                                              "belt_velocity", "load_amplitude", "load_frequency"}};
     const std::array<const char *, 3> at_rest{"ur", "friction_at_rest", "friction_force_at_rest"};
+    std::array<std::array<Names, 2>, 3> all;
     for (std::size_t k = 0; k < all.size(); ++k) {
-      all[k].fill(k == 0   ? Names{"chi", "eta", "us", "V", "omega", "p"}
-                  : k == 1 ? machine({"normal_force", "friction_sliding"})
-                           : machine({"friction_force_sliding"}));
+      all[k].fill(without_datum[k]);
       all[k][0].emplace_back(at_rest[k]);
       all[k][1].emplace_back("phi");
     }
@@ -147,35 +143,18 @@ std::string text_of(const Question& q) {
 }
 
 std::string sentence_of(const families::Family& family, std::uint8_t reason) {
-  switch (static_cast<Reason>(reason)) {
-    case Reason::none:
-      return "decided";
-    case Reason::outside:
-      return "outside the domain of the family";
-    case Reason::reaches_out:
-      return "reaches out of the domain of the family";
-    case Reason::resonance:
-      return "a natural frequency may be a multiple of omega";
-    case Reason::no_load:
-      return "p = 0 for some members, where both load phases are one";
-    case Reason::idle_load:
-      return "the load may not act on the mass on the belt: p = 0 or omega = 1";
-    case Reason::belt_at_rest:
-      return "V = 0 for some members, where the closing conditions are others";
-    case Reason::merging:
-      return "two orbits may be one";
-    case Reason::no_time:
-      return std::string(families::no_time_at_all);
-    case Reason::no_amplitude:
-      return "the amplitude of an orbit may be unbounded";
-    case Reason::too_many:
-      return fmt::format("there are more than {} orbits", most_orbits);
-    case Reason::stability:
-      return "a multiplier may lie on the unit circle";
-    default:
-      break;
+  const auto first_condition = static_cast<std::size_t>(Reason::condition);
+  if (reason < first_condition) {
+    return name_of<Reason::stability>(
+        static_cast<Reason>(reason), "decided", "outside the domain of the family",
+        "reaches out of the domain of the family", "a natural frequency may be a multiple of omega",
+        "p = 0 for some members, where both load phases are one",
+        "the load may not act on the mass on the belt: p = 0 or omega = 1",
+        "V = 0 for some members, where the closing conditions are others", "two orbits may be one",
+        families::no_time_at_all, "the amplitude of an orbit may be unbounded",
+        fmt::format("there are more than {} orbits", most_orbits), "a multiplier may lie on the unit circle");
   }
-  const std::size_t k = reason - static_cast<std::size_t>(Reason::condition);
+  const std::size_t k = reason - first_condition;
   if (k >= family.requirements.size()) {
     throw InternalError(fmt::format("no reason has the number {}", reason));
   }

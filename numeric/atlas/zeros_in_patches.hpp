@@ -25,9 +25,7 @@ inline constexpr int most_attempts = 12;  // to prove a zero
 template <class T>
 [[nodiscard]] T side_of(const Patch& patch, int k) {
   const auto& [first, last] = patch[static_cast<std::size_t>(k)];
-  const double middle = first + (last - first) / 2;
-  const double reach = std::nextafter(std::max(last - middle, middle - first), INFINITY);
-  return T::variable(middle, reach, k == 0 ? 0 : static_cast<int>(T().slopes.size()) - 1);
+  return T::variable_between(first, last, k == 0 ? 0 : static_cast<int>(T().slopes.size()) - 1);
 }
 
 [[nodiscard]] inline bool is_within(const Patch& inner, const Patch& outer) {
@@ -114,7 +112,7 @@ template <class S>
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& [first, last] = patch[k];
     const double middle = first + (last - first) / 2;
-    const double reach = std::nextafter(std::max(last - middle, middle - first), INFINITY);
+    const double reach = scalars::reach(first, middle, last);
     const auto [low, high] = scalars::ends(e[k]);
     const double centre = low / 2 + high / 2;
     const double radius = wider * (high - low) / 2;

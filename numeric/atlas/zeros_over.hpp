@@ -30,11 +30,6 @@ template <class T>
 
 namespace detail {
 
-template <class S>
-[[nodiscard]] int sign_of(const S& x) {
-  return x.is_positive() ? 1 : x.is_negative() ? -1 : 0;
-}
-
 inline constexpr int most_cells = 500;
 inline constexpr double longest_cell = 0.25;
 
@@ -61,9 +56,9 @@ template <class S, int N, class F, class D>
       ++examined;
       const T u = T::variable(middle, cell.last - middle, 0);
       const T value = f(u);
-      cell.value = detail::sign_of(value.over);
+      cell.value = scalars::sign_of(value.over);
       const auto keep_slope = [&](const S& slope) {
-        cell.slope = detail::sign_of(slope);
+        cell.slope = scalars::sign_of(slope);
         std::tie(cell.least_slope, cell.greatest_slope) = scalars::ends(slope);
       };
       if (cell.value == 0) {
@@ -74,7 +69,7 @@ template <class S, int N, class F, class D>
         keep_slope(slope.over);
         if (cell.slope == 0) {
           // Where f bends away from zero its least distance tells.
-          const int side = detail::sign_of(slope.slopes[0]);
+          const int side = scalars::sign_of(slope.slopes[0]);
           const T away(side);
           const T half = T(S(cell.last - middle));
           const auto at = [&](double e) {
@@ -179,7 +174,7 @@ template <class S, int N, class F, class D>
     cut = false;
     for (const double share : {0.25, 0.75}) {
       const double u = first + share * (last - first);
-      const int sign = detail::sign_of(f(T(S(u))).over);
+      const int sign = scalars::sign_of(f(T(S(u))).over);
       if (sign != 0) {
         (sign > 0) == rises ? last = u : first = u;
         cut = true;
@@ -191,7 +186,7 @@ template <class S, int N, class F, class D>
   T zero;
   for (int k = 0; k < most_steps; ++k) {
     const double before = last - first;
-    const double reach = std::nextafter(std::max(last - centre, centre - first), INFINITY);
+    const double reach = scalars::reach(first, centre, last);
     const T u = T::variable(centre, reach, 0);
     const bool varies = !vary_less_than(little, bracket.least_slope, bracket.greatest_slope);
     const scalars::Jet<T, 1> jet = varies ? df(as_variable(u)) : scalars::Jet<T, 1>(f(u));
@@ -244,12 +239,10 @@ template <class S, int N, class F>
                                                                        const scalars::Form<S, N>& axis) {
   using T = scalars::Form<S, N>;
   const auto place = static_cast<std::size_t>(k);
-  const double middle = zero.first + (zero.last - zero.first) / 2;
-  const double reach = std::nextafter(std::max(zero.last - middle, middle - zero.first), INFINITY);
   const double centre = axis.at.approximate();
   double radius = 1.25 * axis.slopes[place].approximate();
   for (int attempt = 0; attempt < 3; ++attempt) {
-    const T value = f(T::variable(middle, reach, 0), T::variable(centre, radius, k));
+    const T value = f(T::variable_between(zero.first, zero.last, 0), T::variable(centre, radius, k));
     const S& by_q = value.slopes[place];
     if (!by_q.is_nonzero()) {
       return std::nullopt;
@@ -262,7 +255,8 @@ template <class S, int N, class F>
     share.over = share.at + scalars::sway(share.slopes);
     const auto [low, high] = scalars::ends(share.over);
     if (low > -1 && high < 1) {
-      return SteepZero<T>{T::variable(middle, reach, k), T(T(S(centre)) + T(S(radius)) * share)};
+      return SteepZero<T>{T::variable_between(zero.first, zero.last, k),
+                          T(T(S(centre)) + T(S(radius)) * share)};
     }
     const double needed = 1.25 * std::max(std::abs(low), std::abs(high));
     if (!(needed < 16)) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "core/interruption.hpp"
-#include "numeric/branches/pieces.hpp"
+#include "core/names.hpp"
+#include "numeric/branches/changes.hpp"
 #include "numeric/branches/resonance.hpp"
 #include "numeric/branches/search.hpp"
 #include "numeric/branches/setting.hpp"
@@ -84,25 +84,8 @@ void stop_at(const Multiple& multiple, const Rational& value, BranchList& part) 
 }  // namespace
 
 std::string to_string(State state) {
-  switch (state) {
-    case State::outside:
-      return "outside";
-    case State::absent:
-      return "absent";
-    case State::inadmissible:
-      return "not admissible";
-    case State::stable:
-      return "stable";
-    case State::unstable:
-      return "unstable";
-    case State::marginal:
-      return "marginal";
-    case State::admissible:
-      return "admissible";
-    case State::undecided:
-      return "undecided";
-  }
-  throw InternalError("a state of no known kind");
+  return name_of<State::undecided>(state, "outside", "absent", "not admissible", "stable", "unstable",
+                                   "marginal", "admissible", "undecided");
 }
 
 bool is_admissible(State state) {
@@ -111,35 +94,11 @@ bool is_admissible(State state) {
 }
 
 std::string to_string(End end) {
-  switch (end) {
-    case End::interval:
-      return "interval";
-    case End::absent:
-      return "birth";
-    case End::closed:
-      return "closed";
-    case End::infinite:
-      return "infinity";
-    case End::stopped:
-      return "stopped";
-  }
-  throw InternalError("a branch that ends in no known way");
+  return name_of<End::stopped>(end, "interval", "birth", "closed", "infinity", "stopped");
 }
 
 std::string to_string(ChangeKind kind) {
-  switch (kind) {
-    case ChangeKind::fold:
-      return "fold";
-    case ChangeKind::condition:
-      return "condition";
-    case ChangeKind::stability:
-      return "stability";
-    case ChangeKind::birth:
-      return "birth";
-    case ChangeKind::resonance:
-      return "resonance";
-  }
-  throw InternalError("a change of no known kind");
+  return name_of<ChangeKind::resonance>(kind, "fold", "condition", "stability", "birth", "resonance");
 }
 
 BranchList list_branches(const BranchQuestion& question) {

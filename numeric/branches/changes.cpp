@@ -15,31 +15,35 @@ using zeros::ParametricProof;
 
 namespace {
 
-// The motions over the parts of a gap, as jets by each cell's driver, which rises along the branch if `ahead`
-// is 1.
+// The motions over a stretch of a cell, as jets by its driver, which rises along the branch if `ahead` is 1.
 struct Over {
   MotionOf<ParameterJet> motion;
-  std::optional<ParameterJet> ur;
-  ExitFactors<ParameterJet> exits;
+  ParameterJet value, unit;  // of the parameter, and of the lengths
   int ahead;
 };
 
-// Nothing where they are not all known.
+// Nothing where they are not known.
+std::optional<Over> over_stretch(const Traced& t, std::size_t k, const Rational& first,
+                                 const Rational& last) {
+  const Cell& cell = t.cells[k];
+  const ParametricProof proof = proof_on(t.curve, cell, first, last);
+  if (proof.verdict.truth != Truth::proved) {
+    return std::nullopt;
+  }
+  const Driven f{&cell.on(t.curve), cell.driver};
+  return Over{f.motion<ParameterJet>(proof.x, proof.p), f.value<ParameterJet>(proof.x, proof.p),
+              f.unit<ParameterJet>(proof.x, proof.p), first < last ? 1 : -1};
+}
+
+// Over its parts; nothing where they are not all known.
 std::vector<Over> over_gap(const Traced& t, const Gap& gap) {
   std::vector<Over> all;
   for (std::size_t k = gap.from; k < gap.to; ++k) {
-    const Part& part = t.parts[k];
-    const Cell& cell = t.cells[part.cell];
-    const ParametricProof proof = proof_on(t.curve, cell, part.first, part.last);
-    if (proof.verdict.truth != Truth::proved) {
+    const std::optional<Over> part = over_stretch(t, t.parts[k].cell, t.parts[k].first, t.parts[k].last);
+    if (!part) {
       return {};
     }
-    const Driven f{&cell.on(t.curve), cell.driver};
-    const MotionOf<ParameterJet> jets = f.motion<ParameterJet>(proof.x, proof.p);
-    all.push_back({jets,
-                   friction_jet(t.law, jets, f.value<ParameterJet>(proof.x, proof.p),
-                                f.unit<ParameterJet>(proof.x, proof.p)),
-                   t.law.exit_factors(jets), part.first < part.last ? 1 : -1});
+    all.push_back(*part);
   }
   return all;
 }
@@ -55,44 +59,28 @@ Trend trend_of(const Law& law, const std::string& id, const Over& part) {
       }
     }
   };
-  add(law.requirements, part.ur);
+  add(law.requirements, friction_jet(law, part.motion, part.value, part.unit));
   add(law.at_us, part.motion.oscillator.data.us);
   return all.value_or(Trend::unknown);
 }
 
-// In the direction of the branch over the whole gap; 0 when it is not known to have one direction.
-int direction(const std::vector<Over>& over, const std::function<Trend(const Over&)>& trend) {
+// In the direction of the branch over the whole gap, on whose parts these are the trends; 0 when it is not
+// known to have one direction.
+int direction(const std::vector<Over>& over, const std::vector<Trend>& trends) {
   int all = 0;
-  for (const Over& part : over) {
-    const Trend here = trend(part);
-    if (here == Trend::above) {
+  for (std::size_t k = 0; k < over.size(); ++k) {
+    if (trends[k] == Trend::above) {
       continue;
     }
-    const int sign = here == Trend::rising ? part.ahead : here == Trend::falling ? -part.ahead : 0;
+    const int sign = trends[k] == Trend::rising    ? over[k].ahead
+                     : trends[k] == Trend::falling ? -over[k].ahead
+                                                   : 0;
     if (sign == 0 || (all != 0 && sign != all)) {
       return 0;
     }
     all = sign;
   }
   return all;
-}
-
-// Whether the quantity passes zero once at most over the whole gap, with a speed that is not zero.
-bool passes_once(const std::vector<Over>& over, const std::function<ParameterJet(const Over&)>& quantity) {
-  return direction(over, [&](const Over& part) {
-           const Ball slope = quantity(part).partial(0);
-           return slope.is_positive() ? Trend::rising : slope.is_negative() ? Trend::falling : Trend::unknown;
-         }) != 0;
-}
-
-std::function<ParameterJet(const Over&)> exit_over(Exit exit) {
-  return [exit](const Over& part) {
-    ParameterJet product(1);
-    for (const ParameterJet& factor : part.exits[exit]) {
-      product *= factor;
-    }
-    return product;
-  };
 }
 
 Verdict once(bool proved, const std::string& why) {
@@ -112,25 +100,15 @@ struct Stretch {
 };
 
 Stretch look_at_turn(const Traced& t, Stretch s) {
-  const Cell& cell = t.cells[s.cell];
-  const ParametricProof proof = proof_on(t.curve, cell, s.first, s.last);
-  if (proof.verdict.truth != Truth::proved) {
+  const std::optional<Over> here = over_stretch(t, s.cell, s.first, s.last);
+  if (!here) {
     return s;
   }
-  const Driven f{&cell.on(t.curve), cell.driver};
-  const MotionOf<ParameterJet> motion = f.motion<ParameterJet>(proof.x, proof.p);
-  ParameterJet quantity(1);
-  if (t.law.phi_is_given) {
-    quantity = turn_at_given_phase<ParameterJet>(motion);
-  } else {
-    const ExitFactors<ParameterJet> exits = t.law.exit_factors(motion);
-    for (const ParameterJet& factor : exits[Exit::plus_one]) {
-      quantity *= factor;
-    }
-  }
-  const Ball slope = quantity.partial(0) * Ball(s.first < s.last ? 1 : -1);
-  s.may_turn = !f.value<ParameterJet>(proof.x, proof.p).partial(0).is_nonzero();
-  s.goes = slope.is_positive() ? 1 : slope.is_negative() ? -1 : 0;
+  const ParameterJet quantity = t.law.phi_is_given
+                                    ? turn_at_given_phase<ParameterJet>(here->motion)
+                                    : exit_factors(here->motion, t.law.is_symmetric).product(Exit::plus_one);
+  s.may_turn = !here->value.partial(0).is_nonzero();
+  s.goes = scalars::sign_of(quantity.partial(0)) * here->ahead;
   return s;
 }
 
@@ -203,7 +181,11 @@ std::vector<Change> lost(const Traced& t, const Gap& gap, const std::vector<Over
       if (c.verdict.truth == Truth::proved || !beyond.refutes(c.id) || !seen.insert(c.id).second) {
         continue;
       }
-      const int goes = direction(over, [&](const Over& part) { return trend_of(t.law, c.id, part); });
+      std::vector<Trend> trends;
+      for (const Over& part : over) {
+        trends.push_back(trend_of(t.law, c.id, part));
+      }
+      const int goes = direction(over, trends);
       Change change{birth ? ChangeKind::birth : ChangeKind::condition, c.id, "", gap.at, c.at,
                     once(goes == (falls ? -1 : 1), not_transversal)};
       if (birth) {
@@ -218,17 +200,24 @@ std::vector<Change> lost(const Traced& t, const Gap& gap, const std::vector<Over
   return changes;
 }
 
-Crossings crossings(const std::vector<Over>& over) {
+Crossings crossings(const Law& law, const std::vector<Over>& over) {
+  std::vector<ExitFactors<ParameterJet>> factors;
+  for (const Over& part : over) {
+    factors.push_back(exit_factors(part.motion, law.is_symmetric));
+  }
   Crossings result;
   for (const Exit exit : exits) {
-    const auto quantity = exit_over(exit);
-    if (over.empty() || std::any_of(over.begin(), over.end(), [&](const Over& part) {
-          const Ball value = quantity(part).value;
-          return value.contains_zero() || !value.is_finite();
-        })) {
+    bool may_vanish = over.empty();
+    std::vector<Trend> trends;
+    for (const ExitFactors<ParameterJet>& part : factors) {
+      const ParameterJet quantity = part.product(exit);
+      may_vanish = may_vanish || quantity.value.contains_zero() || !quantity.value.is_finite();
+      trends.push_back(by_slope(quantity));
+    }
+    if (may_vanish) {
       result.possible.push_back(exit);
     }
-    if (passes_once(over, quantity)) {
+    if (direction(over, trends) != 0) {  // with a speed that is not zero
       result.once.push_back(exit);
     }
   }
@@ -277,7 +266,7 @@ std::vector<Change> changes_at(const Traced& t, const Gap& gap) {
   }
   std::vector<Change> more = is_admissible(a) != is_admissible(b)
                                  ? lost(t, gap, over, false)
-                                 : stability_changes(crossings(over), b == State::unstable, gap.at);
+                                 : stability_changes(crossings(t.law, over), b == State::unstable, gap.at);
   // Where 1 is a multiplier at a fold, that it crosses is said already.
   std::erase_if(more, [&](const Change& c) {
     return turns && !t.law.phi_is_given && c.what == to_string(Exit::plus_one);

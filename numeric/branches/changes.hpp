@@ -1,5 +1,5 @@
-// What changes at a place between two parts of a branch on which all is decided: named, and proved to happen
-// there once.
+// From the parts of a branch to its pieces, on which nothing changes; and what changes at a place between two
+// on which all is decided: named, and proved to happen there once.
 #pragma once
 
 #include "numeric/branches/law.hpp"
@@ -13,6 +13,21 @@ struct Traced {
   const std::vector<Cell>& cells;
   const std::vector<Part>& parts;
 };
+
+// From the parts to the pieces (pieces.cpp).
+
+// Fills in pieces, changes and ends: `first` and `last` as the path has them, replaced where the branch ends
+// by a birth before. What is neither decided nor a change goes to `unresolved`.
+void describe(const Traced& traced, Branch& branch, std::vector<UnresolvedPart>& unresolved);
+
+// Between neighbouring values at which a piece or an unresolved part begins or ends, where nothing changes;
+// not where a branch may turn. Where all branches are looked for, `open` are the parts in which there may be
+// orbits on none.
+[[nodiscard]] std::vector<Count> counts_of(const BranchQuestion& question,
+                                           const std::vector<Branch>& branches,
+                                           const std::vector<UnresolvedPart>& open);
+
+// What changes between them.
 
 // The undecided parts between two decided ones, and scraps of decided ones among them.
 struct Gap {
@@ -49,9 +64,7 @@ template <class S>
     M = motion::saltation_between<S>(motion.oscillator, motion.phases[k - 1].kind, motion.phases[k]) * M;
     M = motion::tangent_flow<S>(motion.oscillator, motion.phases[k]) * M;
   }
-  const auto d = [&](int i, int j) { return S(S(i == j ? 1 : 0) - M(i, j)); };
-  const auto minor = [&](int j, int k) { return S(d(1, j) * d(2, k) - d(1, k) * d(2, j)); };
-  return d(0, 0) * minor(1, 2) - d(0, 1) * minor(0, 2) + d(0, 2) * minor(0, 1);
+  return motion::determinant3<S>(model::Matrix4<S>::Identity() - M);
 }
 
 }  // namespace stickslip::numeric::branches

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/interruption.hpp"
-#include "numeric/branches/infinity.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "numeric/zeros/search.hpp"
 
@@ -304,15 +303,6 @@ Path Walk::follow(int direction) {
 }
 
 }  // namespace
-
-bool contains(const Vector& outer, const Vector& inner) {
-  for (int i = 0; i < inner.size(); ++i) {
-    if (!outer(i).contains(inner(i))) {
-      return false;
-    }
-  }
-  return true;
-}
 
 Point scaled_point(const Units& units, const Point& point) {
   Point scaled = point;

@@ -134,9 +134,6 @@ struct Cell {
   [[nodiscard]] const Curve& on(const Curve& branch) const { return in_units ? *in_units : branch; }
 };
 
-// Whether all members of one box are in the other.
-[[nodiscard]] bool contains(const zeros::Vector& outer, const zeros::Vector& inner);
-
 // From and to a motion's own units. Not finite where the unknown whose size is 1 may vanish, or be infinite.
 [[nodiscard]] Point scaled_point(const Units& units, const Point& point);
 [[nodiscard]] Point unscaled_point(const Units& units, const Point& point);
@@ -179,6 +176,21 @@ struct ProvedPoint {
 // (direction 1) or falling (-1) at first, until it leaves the interval, a phase lasts a negative time, the
 // branch is back, or no step can be proved. The last cell may reach beyond the interval.
 [[nodiscard]] Path follow(const Curve& curve, const Rational& value, const Point& start, int direction);
+
+// Where a branch leaves for infinity (infinity.cpp).
+
+// From a proved motion on: cells in which e falls to 0, the last of them to 0 itself, and the limit of the
+// free parameter there.
+struct WayToInfinity {
+  std::vector<Cell> cells;
+  Ball limit;
+};
+
+// If the branch goes on from the proved motion so that one of its lengths grows without an end, all phases
+// lasting: then there is one motion for each size of this length. Nothing where that is not proved, or where
+// that length may not grow along the cell, whose last motion it is.
+[[nodiscard]] std::optional<WayToInfinity> way_to_infinity(const Curve& curve, const Cell& cell,
+                                                           const Point& large);
 
 // The same arcs the other way round.
 [[nodiscard]] std::vector<Cell> reversed(std::vector<Cell> cells);

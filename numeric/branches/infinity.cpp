@@ -1,7 +1,15 @@
-#include "numeric/branches/infinity.hpp"
-
+// Where a branch leaves for infinity.
+//
+// The friction law is homogeneous: a motion whose lengths, with us, V, p and ur, are all multiplied by e > 0
+// obeys it as before, and the closing conditions are multiplied by e. In units in which one length of a large
+// motion has the size 1, and e takes its place among the unknowns, they are finite at e = 0, where us, V and
+// p vanish. Lengths that stay bounded are left as they are, and so are the conditions that do not depend on
+// the growing ones, or these would vanish with e. Where all are regular at e = 0 the branch goes through
+// there in these coordinates, and the motion grows beyond all bounds as e falls to 0.
 #include <algorithm>
 #include <cmath>
+
+#include "numeric/branches/curve.hpp"
 
 namespace stickslip::numeric::branches {
 

@@ -30,10 +30,6 @@ std::optional<T> given_friction(const Law& law, const T& value, const T& unit) {
                                  : std::nullopt;
 }
 
-int sign(const Ball& x) {
-  return x.is_positive() ? 1 : x.is_negative() ? -1 : 0;
-}
-
 // Where the parameter lies as to its interval: the state that this alone decides.
 std::optional<State> by_value(const Curve& curve, const Cell& cell, const Ball& value) {
   if (cell.driver == by_parameter) {
@@ -209,7 +205,7 @@ Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, st
   }
   const ParameterJet value = f.value<ParameterJet>(proof.x, proof.p);
   part.value = proof.over_box(value, f.value<Ball>(proof.at_middle, proof.p0));
-  part.rises = sign(value.partial(0)) * (first < last ? 1 : -1);
+  part.rises = scalars::sign_of(value.partial(0)) * (first < last ? 1 : -1);
   const Motion middle = f.motion<Ball>(proof.at_middle, proof.p0);
   part.sample = in_double(middle);
   part.sample_value = f.value<Ball>(proof.at_middle, proof.p0).approximate();
@@ -256,15 +252,7 @@ constexpr double shortest_time = 0x1p-24;
 constexpr long most_times = 20000;
 
 Trend trend(const ParameterJet& g) {
-  if (g.value.is_positive()) {
-    return Trend::above;
-  }
-  const Ball slope = g.partial(0);
-  return slope.is_positive() ? Trend::rising : slope.is_negative() ? Trend::falling : Trend::unknown;
-}
-
-double above(const Ball& x) {
-  return arf_get_d(arb_midref(x.upper().raw()), ARF_RND_CEIL);
+  return g.value.is_positive() ? Trend::above : by_slope(g);
 }
 
 // g at the times from a to b, by its slope in time; the derivative by the driver at a fixed time.
@@ -306,6 +294,11 @@ Trend from_start(const model::Wave<ParameterJet>& g, double last, bool touched) 
 
 }  // namespace
 
+Trend by_slope(const ParameterJet& g) {
+  const Ball slope = g.partial(0);
+  return slope.is_positive() ? Trend::rising : slope.is_negative() ? Trend::falling : Trend::unknown;
+}
+
 Trend joined(Trend a, Trend b) {
   return a == Trend::above ? b : b == Trend::above || a == b ? a : Trend::unknown;
 }
@@ -332,7 +325,7 @@ Trend trend_of(const Requirement& q, const MotionOf<ParameterJet>& motion,
   const model::PhaseWaves<ParameterJet> waves = waves_of<ParameterJet>(motion.oscillator, phase);
   const model::Wave<ParameterJet> g =
       model::affine<ParameterJet>(form.factor, form.of_speed ? waves.zdot2 : waves.r, form.offset);
-  const double half = above(phase.duration.value) / 2;
+  const double half = scalars::ends(phase.duration.value).second / 2;
   return joined(from_start(g, half, q.touches.start),
                 from_start(model::reversed<ParameterJet>(g, phase.duration), half, q.touches.end));
 }

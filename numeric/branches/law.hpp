@@ -29,11 +29,6 @@ struct Law {
   std::optional<MachineAlong> machine = {};  // whose value the free parameter is: then its ur, if it is given
   bool phi_is_given = false;                 // of the load when the first phase begins
   bool is_symmetric = false;                 // all motions are orbits of Section 4
-
-  template <class S>
-  [[nodiscard]] motion::ExitFactors<S> exit_factors(const motion::MotionOf<S>& motion) const {
-    return is_symmetric ? motion::symmetric_exit_factors(motion) : motion::exit_factors(motion);
-  }
 };
 
 // A part of a cell, and what is known of it.
@@ -89,6 +84,9 @@ enum class Trend {
 [[nodiscard]] Trend trend_of(const motion::Requirement& requirement,
                              const motion::MotionOf<zeros::ParameterJet>& motion,
                              const std::optional<zeros::ParameterJet>& ur);
+
+// Of a quantity wherever it is: rising, falling or unknown.
+[[nodiscard]] Trend by_slope(const zeros::ParameterJet& g);
 
 // Of the lesser of two quantities.
 [[nodiscard]] Trend joined(Trend a, Trend b);

@@ -1,8 +1,7 @@
-#include "numeric/branches/pieces.hpp"
-
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "numeric/branches/changes.hpp"
 
 namespace stickslip::numeric::branches {
 

@@ -189,8 +189,7 @@ class Finder {
   // Bisected as far as the signs are known.
   [[nodiscard]] std::optional<Ball> zero(const Near& one) const {
     const auto sign = [&](const Rational& value) {
-      const Ball over = ratios(Ball(value))[one.place] - Ball(one.k);
-      return over.is_positive() ? 1 : over.is_negative() ? -1 : 0;
+      return scalars::sign_of(Ball(ratios(Ball(value))[one.place] - Ball(one.k)));
     };
     Rational from = one.from, to = one.to;
     const int first = sign(from);

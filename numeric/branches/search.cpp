@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/names.hpp"
 #include "numeric/branches/law.hpp"
 #include "numeric/branches/setting.hpp"
 #include "numeric/families/family.hpp"
@@ -37,24 +38,14 @@ constexpr std::size_t most_values = 50;
 // Radius of boxes in which motions that are too large are not told apart any more.
 constexpr double small = 0x1p-10;
 
-std::string words_of(const Path& path, const BranchQuestion& question) {
-  switch (path.end) {
-    case End::interval:
-      return "the end of the interval";
-    case End::absent:
-      return "a phase lasts no time";
-    case End::closed:
-      return "the branch is a closed curve";
-    case End::infinite:
-      return "the motion grows beyond all bounds";
-    case End::stopped:
-      return fmt::format("followed no further: {}", path.reason);
-  }
-  throw InternalError("a branch that ends in no known way at " + question.parameter);
+std::string words_of(const Path& path) {
+  return name_of<End::stopped>(path.end, "the end of the interval", "a phase lasts no time",
+                               "the branch is a closed curve", "the motion grows beyond all bounds",
+                               "followed no further: " + path.reason);
 }
 
 BranchEnd end_of(const Path& path, const BranchQuestion& question) {
-  BranchEnd end{path.last.value, words_of(path, question), path.end};
+  BranchEnd end{path.last.value, words_of(path), path.end};
   if (path.end == End::stopped) {
     const std::string resonance = resonance_near(path.last.value, question);
     end.words += resonance;
@@ -108,7 +99,7 @@ bool hold_large(const Sheet& sheet, const LargeBounds& large, const Bounds& para
     }
     e.first = std::max(e.first, 0.0);
     return std::any_of(sheet.branches.begin(), sheet.branches.end(), [&](const Followed& branch) {
-      return branch.tubes.hold({large.place, sign, large.growing}, x, parameter);
+      return branch.tubes.hold(Units{large.place, sign, large.growing}, x, parameter);
     });
   };
   return holds_sign(1) && holds_sign(-1);
@@ -292,17 +283,6 @@ std::vector<zeros::UnresolvedBox<3>> Search::rest_of(const Strip& strip, const z
   return searched.unresolved;
 }
 
-// Around the box, within the domain.
-zeros::Cell<3> cell_around(const StripBox& box, const zeros::Cell<3>& domain) {
-  zeros::Cell<3> cell = domain;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto [low, high] = scalars::ends(box(static_cast<int>(i)));
-    cell.lower[i] = std::clamp(low, domain.lower[i], domain.upper[i]);
-    cell.upper[i] = std::clamp(high, domain.lower[i], domain.upper[i]);
-  }
-  return cell;
-}
-
 // Coarse cells first: where they leave something open there may be a branch that is not known yet, so all
 // orbits at a value there are looked for.
 void Search::exhaust() {
@@ -357,7 +337,8 @@ void Search::exhaust() {
           continue;
         }
         for (const zeros::UnresolvedBox<3>& box : rest_of(*one.strip, one.cell, smallest)) {
-          rest.push_back({one.strip, cell_around(box.box, one.strip->domain), box.reason, false});
+          rest.push_back({one.strip, zeros::clip<3>(one.strip->domain, box.box).value_or(one.strip->domain),
+                          box.reason, false});
           rest.back().given_up = smallest <= fine && rest.back().length() > one.length() / 2;
         }
       }

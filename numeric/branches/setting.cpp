@@ -42,25 +42,13 @@ OrbitQuestion with(const BranchQuestion& question, const Range& range) {
   return q;
 }
 
-Given<Rational> exact(const OrbitQuestion& q) {
-  const model::Parameters<Range>& a = q.parameters;
-  const auto of = [](const std::optional<Range>& range) {
-    return range ? std::optional(range->middle) : std::nullopt;
-  };
-  return {
-      {a.chi.middle, a.eta.middle, a.us.middle, a.V.middle, a.omega.middle, a.p.middle}, of(q.phi), of(q.ur)};
+Range at_value(const Rational& value) {
+  return {value};
 }
 
 OrbitQuestion at_one_value(const OrbitQuestion& q, const Given<Rational>& given) {
-  const ExactParameters& a = given.data;
-  const auto range = [](const std::optional<Rational>& value) {
-    return value ? std::optional(Range{*value}) : std::nullopt;
-  };
-  return {q.family,
-          {Range{a.chi}, Range{a.eta}, Range{a.us}, Range{a.V}, Range{a.omega}, Range{a.p}},
-          range(given.phi),
-          range(given.ur),
-          q.digits};
+  const Given<Range> ranges = mapped<Range>(given, at_value);
+  return {q.family, ranges.data, ranges.phi, ranges.ur, q.digits};
 }
 
 }  // namespace
@@ -70,7 +58,9 @@ Given<Rational> data_at(const BranchQuestion& question, const Rational& value) {
     const DataTaken taken = question.machine->taken(value);
     return {taken.data, question.machine->phi, taken.ur};
   }
-  return exact(with(question, {value}));
+  const OrbitQuestion q = with(question, at_value(value));
+  return mapped<Rational>(Given<Range>{q.parameters, q.phi, q.ur},
+                          [](const Range& range) { return range.middle; });
 }
 
 StripQuestion strip_question(const BranchQuestion& question) {
@@ -152,11 +142,8 @@ Law law_of(const BranchQuestion& question) {
 }
 
 Curve curve_of(const BranchQuestion& question, const Closing& equations) {
-  const Given<Rational> given = data_at(question, question.from);
-  Given<Ball> balls{parameters_as<Ball>(given.data), {}, {}};
-  balls.phi = given.phi ? std::optional(Ball(*given.phi)) : std::nullopt;
-  balls.ur = given.ur ? std::optional(Ball(*given.ur)) : std::nullopt;
-  Curve curve{equations, equations.parameters(balls), 0, question.from, question.to};
+  Curve curve{equations, equations.parameters(rounded(data_at(question, question.from))), 0, question.from,
+              question.to};
   curve.machine = question.machine;
   curve.growths = question.orbits.family->growths;
   if (question.machine) {
@@ -284,12 +271,11 @@ BranchQuestion word_question(const words::WordQuestion& machine, const words::Wo
       orbits.motions.push_back(one.orbit.motion);
     }
   }
-  const motion::ExactParameters& a = machine.data;
   BranchQuestion question;
   question.orbits = {orbits.family.get(),
-                     {Range{a.chi}, Range{a.eta}, Range{a.us}, Range{a.V}, Range{a.omega}, Range{a.p}},
+                     model::mapped<Range>(machine.data, at_value),
                      {},
-                     Range{machine.ur},
+                     at_value(machine.ur),
                      machine.digits};
   question.word = std::move(orbits);
   return question;

@@ -1,10 +1,9 @@
-#include "numeric/branches/tubes.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/parallel.hpp"
+#include "numeric/branches/search.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -22,12 +21,6 @@ constexpr std::array wider{3, 1};
 constexpr std::array least_radii{0x1p-12, 0x1p-20, 0x1p-30};
 // As a share of the interval.
 constexpr double rounding = 0x1p-30;
-
-// All of it lies in the ball.
-Bounds within(const Ball& x) {
-  return {arf_get_d(arb_midref(x.lower().raw()), ARF_RND_CEIL),
-          arf_get_d(arb_midref(x.upper().raw()), ARF_RND_FLOOR)};
-}
 
 bool covers(const Bounds& outer, const Bounds& inner) {
   return outer.first <= inner.first && inner.second <= outer.second;
@@ -106,18 +99,18 @@ std::optional<Longer> longer(const Curve& curve, const Cell& cell, const Cell * 
 Tubes::Tubes(const Curve& curve, const std::vector<Cell>& cells) : angle_(curve.angle) {
   tubes_ = parallel_map(cells.size(), [&](std::size_t k) {
     const Cell& cell = cells[k];
-    Tube tube{{}, cell.driver, within(cell.range), cell.on(curve).units};
+    Tube tube{{}, cell.driver, scalars::inner_ends(cell.range), cell.on(curve).units};
     Vector sides = cell.proof.unique;
     for (const double share : overlaps) {
       if (const auto better = longer(curve, cell, k > 0 ? &cells[k - 1] : nullptr,
                                      k + 1 < cells.size() ? &cells[k + 1] : nullptr, share)) {
-        tube.range = within(better->range);
+        tube.range = scalars::inner_ends(better->range);
         sides = better->sides;
         break;
       }
     }
     for (const Ball& side : sides) {
-      tube.sides.push_back(within(side));
+      tube.sides.push_back(scalars::inner_ends(side));
     }
     return tube;
   });
@@ -129,27 +122,23 @@ bool Tubes::hold(const std::vector<Bounds>& x, const Bounds& parameter) const {
     return false;
   }
   if (angle_ < 0) {
-    return hold_in({}, x, parameter);
+    return hold(std::nullopt, x, parameter);
   }
   for (int k = -2; k <= 2; ++k) {
     std::vector<Bounds> turned = x;
     Bounds& side = turned[static_cast<std::size_t>(angle_)];
     // The turn is a little less or more than 2 pi.
     side = {side.first + k * turn - 0x1p-40, side.second + k * turn + 0x1p-40};
-    if (hold_in({}, turned, parameter)) {
+    if (hold(std::nullopt, turned, parameter)) {
       return true;
     }
   }
   return false;
 }
 
-bool Tubes::hold(const Units& units, const std::vector<Bounds>& x, const Bounds& parameter) const {
-  return hold_in(units, x, parameter);
-}
-
 // Along each branch neighbouring tubes with the same driver and units may hold the bounds together.
-bool Tubes::hold_in(const std::optional<Units>& units, const std::vector<Bounds>& x,
-                    const Bounds& parameter) const {
+bool Tubes::hold(const std::optional<Units>& units, const std::vector<Bounds>& x,
+                 const Bounds& parameter) const {
   const Tube * before = nullptr;
   Bounds held{};
   for (const Tube& tube : tubes_) {

@@ -14,14 +14,6 @@ S friction_of(const MotionOf<S>& motion, std::size_t k) {
   return model::friction_at<S>(motion.oscillator.data, motion.phases[k].Z, motion.phases[k].load);
 }
 
-// The exact data as balls at the working precision.
-Given<Ball> rounded(const Given<Rational>& given) {
-  const auto ball = [](const std::optional<Rational>& value) {
-    return value ? std::optional(Ball(*value)) : std::nullopt;
-  };
-  return {parameters_as<Ball>(given.data), ball(given.phi), ball(given.ur)};
-}
-
 }  // namespace
 
 template <class T>

@@ -23,6 +23,17 @@ struct Given {
   std::optional<S> ur = {};
 };
 
+// f of each that is given.
+template <class T, class S, class F>
+[[nodiscard]] Given<T> mapped(const Given<S>& given, const F& f) {
+  const auto of = [&](const std::optional<S>& x) { return x ? std::optional<T>(f(*x)) : std::nullopt; };
+  return {model::mapped<T>(given.data, f), of(given.phi), of(given.ur)};
+}
+// At the working precision.
+[[nodiscard]] inline Given<Ball> rounded(const Given<Rational>& given) {
+  return mapped<Ball>(given, [](const Rational& x) { return Ball(x); });
+}
+
 template <class T>
 [[nodiscard]] model::Oscillator<T> oscillator_of(const zeros::VectorOf<T>& p) {
   return model::oscillator<T>({p(0), p(1), p(2), p(3), p(4), p(5)});

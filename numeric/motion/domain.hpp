@@ -17,8 +17,7 @@ using ExactParameters = model::Parameters<Rational>;
 // The data at the working precision.
 template <class S>
 [[nodiscard]] model::Parameters<S> parameters_as(const ExactParameters& a) {
-  return {scalars::scalar<S>(a.chi), scalars::scalar<S>(a.eta),   scalars::scalar<S>(a.us),
-          scalars::scalar<S>(a.V),   scalars::scalar<S>(a.omega), scalars::scalar<S>(a.p)};
+  return model::mapped<S>(a, [](const Rational& x) { return scalars::scalar<S>(x); });
 }
 
 // Throws DomainError unless 0 < chi < 1, eta > 0, us > 0, omega > 0 and p >= 0: the domain of (2), (4).

@@ -1,35 +1,24 @@
 #include "numeric/motion/exits.hpp"
 
+#include "core/names.hpp"
+
 namespace stickslip::numeric::motion {
 
 using zeros::ParameterJet;
 
-namespace {
-
-int sign(const Ball& x) {
-  return x.is_positive() ? 1 : x.is_negative() ? -1 : 0;
-}
-
-template <class S>
-ExitFactors<S> factors_of(const MotionOf<S>& motion, bool is_symmetric) {
-  return is_symmetric ? symmetric_exit_factors(motion) : exit_factors(motion);
-}
-
-}  // namespace
-
 std::string to_string(Exit exit) {
-  return exit == Exit::plus_one ? "real +1" : exit == Exit::minus_one ? "real -1" : "complex pair";
+  return name_of<Exit::pair>(exit, "real +1", "real -1", "complex pair");
 }
 
 std::optional<StabilityKind> stability_over(const zeros::ParametricProof& proof,
                                             const MotionOf<ParameterJet>& jets, const Motion& middle,
                                             bool is_symmetric) {
-  const ExitFactors<ParameterJet> over = factors_of(jets, is_symmetric);
-  const ExitFactors<Ball> at_middle = factors_of(middle, is_symmetric);
+  const ExitFactors<ParameterJet> over = exit_factors(jets, is_symmetric);
+  const ExitFactors<Ball> at_middle = exit_factors(middle, is_symmetric);
   const auto sign_of = [&](const std::vector<ParameterJet>& a, const std::vector<Ball>& b) {
     int product = 1;
     for (std::size_t k = 0; k < a.size(); ++k) {
-      product *= sign(proof.over_box(a[k], b[k]));
+      product *= scalars::sign_of(proof.over_box(a[k], b[k]));
     }
     return product;
   };

@@ -55,37 +55,34 @@ struct ExitFactors {
   [[nodiscard]] const std::vector<S>& operator[](Exit exit) const {
     return of[static_cast<std::size_t>(exit)];
   }
+  [[nodiscard]] S product(Exit exit) const {
+    S product(1);
+    for (const S& factor : (*this)[exit]) {
+      product *= factor;
+    }
+    return product;
+  }
 };
+
+// Of the first three rows and columns.
+template <class S>
+[[nodiscard]] S determinant3(const model::Matrix4<S>& M) {
+  const auto minor = [&](int j, int k) { return S(M(1, j) * M(2, k) - M(1, k) * M(2, j)); };
+  return M(0, 0) * minor(1, 2) - M(0, 1) * minor(0, 2) + M(0, 2) * minor(0, 1);
+}
 
 // The coefficients of a polynomial whose zeros are the multipliers, except for zeros: that of the return map
 // seen where a stick begins, with more than one. Then not finite where one of them may end at rest.
 template <class S>
 [[nodiscard]] std::vector<S> multiplier_coefficients(const MotionOf<S>& motion) {
-  std::size_t stick = 0, sticks = 0;
-  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
-    if (motion.phases[k].kind == PhaseKind::stick) {
-      stick = k;
-      ++sticks;
-    }
-  }
-  if (sticks < 2) {
+  const std::vector<std::size_t> sticks = sticks_of(motion);
+  if (sticks.size() < 2) {
     return multiplier_polynomial(motion);
   }
-  const model::Matrix4<S> M = monodromy<S>(motion, stick);
+  const model::Matrix4<S> M = monodromy<S>(motion, sticks.back());
   const auto minor = [&](int i, int j) { return S(M(i, i) * M(j, j) - M(i, j) * M(j, i)); };
-  const S det = M(0, 0) * minor(1, 2) - M(0, 1) * S(M(1, 0) * M(2, 2) - M(1, 2) * M(2, 0)) +
-                M(0, 2) * S(M(1, 0) * M(2, 1) - M(1, 1) * M(2, 0));
-  return {S(-det), S(minor(0, 1) + minor(0, 2) + minor(1, 2)), S(-M(0, 0) - M(1, 1) - M(2, 2)), S(1)};
-}
-
-template <class S>
-[[nodiscard]] ExitFactors<S> exit_factors(const MotionOf<S>& motion) {
-  const std::vector<S> c = multiplier_coefficients(motion);
-  ExitFactors<S> result{{}, c.back()};
-  for (const Exit exit : exits) {
-    result.of[static_cast<std::size_t>(exit)] = {exit_function(exit, c)};
-  }
-  return result;
+  return {S(-determinant3<S>(M)), S(minor(0, 1) + minor(0, 2) + minor(1, 2)), S(-M(0, 0) - M(1, 1) - M(2, 2)),
+          S(1)};
 }
 
 // sin x - x cos x, that is x³/3 for small x, by its derivative x sin x: with a small relative error.
@@ -178,10 +175,17 @@ class SymmetricExits {
   std::array<Mode, 2> modes_;
 };
 
+// `is_symmetric`: the motion is an orbit of Section 4, of which det(I - M) has two factors.
 template <class S>
-[[nodiscard]] ExitFactors<S> symmetric_exit_factors(const MotionOf<S>& motion) {
-  ExitFactors<S> result = exit_factors(motion);
-  result.of[static_cast<std::size_t>(Exit::plus_one)] = SymmetricExits<S>(motion).at_one();
+[[nodiscard]] ExitFactors<S> exit_factors(const MotionOf<S>& motion, bool is_symmetric = false) {
+  const std::vector<S> c = multiplier_coefficients(motion);
+  ExitFactors<S> result{{}, c.back()};
+  for (const Exit exit : exits) {
+    result.of[static_cast<std::size_t>(exit)] = {exit_function(exit, c)};
+  }
+  if (is_symmetric) {
+    result.of[static_cast<std::size_t>(Exit::plus_one)] = SymmetricExits<S>(motion).at_one();
+  }
   return result;
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace stickslip::numeric::motion::pieces {
+namespace stickslip::numeric::motion {
 
 using namespace scalars;
 using model::Harmonic;
@@ -15,10 +15,10 @@ using model::Wave;
 
 namespace {
 
-void sin_cos(const Ball& x, Ball& s, Ball& c) {
+void sine_and_cosine(const Ball& x, Ball& s, Ball& c) {
   arb_sin_cos(s.raw(), c.raw(), x.raw(), WorkingPrecision::bits());
 }
-void sin_cos(double x, double& s, double& c) {
+void sine_and_cosine(double x, double& s, double& c) {
   s = std::sin(x);
   c = std::cos(x);
 }
@@ -32,7 +32,7 @@ std::array<S, 4> derivatives(const Wave<S>& g, const S& t) {
   S c(0);
   for (int k = 0; k < g.count; ++k) {
     const Harmonic<S>& h = g.harmonics[static_cast<unsigned>(k)];
-    sin_cos(S(h.nu * t), s, c);
+    sine_and_cosine(S(h.nu * t), s, c);
     S p = h.a * c;
     add_product(p, h.b, s);
     S q = h.b * c;
@@ -46,6 +46,12 @@ std::array<S, 4> derivatives(const Wave<S>& g, const S& t) {
   }
   return d;
 }
+
+// A function and its first two derivatives at a point.
+template <class S>
+struct Taylor {
+  S value, slope, curvature;
+};
 
 // g/w, with w = s or 1.
 template <class S>
@@ -72,19 +78,36 @@ Wave<double> approximate(const Wave<Ball>& g) {
   return w;
 }
 
-}  // namespace
+// The time s counts from that end of the phase.
+struct Side {
+  const Course * g;
+  bool from_end;
+};
 
-Taylor<Ball> Piece::at(double s) const {
-  if (weighted && s > 0) {
-    const auto k = side->g->quotient_at(s);
-    return {k[0], k[1], k[2]};
+// g/w on [a, b] of a side, w = s when weighted and 1 otherwise; `third` bounds the third derivative of g/w.
+// For g(0) = 0: g(s)/s is the mean of g'(s x) over 0 < x < 1, so its n-th derivative is the mean of
+// x^n g^(n+1)(s x), at most max |g^(n+1)|/(n+1), and g^(n+1)(0)/(n+1) at s = 0.
+struct Piece {
+  const Side * side;
+  bool weighted;
+  double a, b;
+  Ball third;
+
+  // g/w and its first two derivatives at s.
+  [[nodiscard]] Taylor<Ball> at(double s) const {
+    if (weighted && s > 0) {
+      const auto k = side->g->quotient_at(s);
+      return {k[0], k[1], k[2]};
+    }
+    return quotient<Ball>(side->g->at(s), weighted, s);
   }
-  return quotient<Ball>(side->g->at(s), weighted, s);
-}
-
-Taylor<double> Piece::guess_at(double s) const {
-  return quotient<double>(side->g->guess_at(s), weighted, s);
-}
+  // The same in floating point: only a guess.
+  [[nodiscard]] Taylor<double> guess_at(double s) const {
+    return quotient<double>(side->g->guess_at(s), weighted, s);
+  }
+  // A guess of where the piece is smallest near s, within [low, high].
+  [[nodiscard]] double descend(double s, double low, double high) const;
+};
 
 double Piece::descend(double s, double low, double high) const {
   for (int i = 0; i < 6; ++i) {
@@ -102,10 +125,10 @@ double Piece::descend(double s, double low, double high) const {
   return s;
 }
 
-double reach(double a, double c, double b) {
-  return std::nextafter(std::max(b - c, c - a), std::numeric_limits<double>::infinity());
-}
-
+// A guess of where the piece is smallest.
+struct Guess {
+  double value, s;
+};
 Guess sampled_minimum(const Piece& piece) {
   const int n = 4 + static_cast<int>(2 * (piece.b - piece.a));
   const double step = (piece.b - piece.a) / n;
@@ -125,11 +148,7 @@ Guess sampled_minimum(const Piece& piece) {
   return {piece.guess_at(where).value, where};
 }
 
-}  // namespace stickslip::numeric::motion::pieces
-
-namespace stickslip::numeric::motion {
-
-using namespace pieces;
+}  // namespace
 
 std::array<Ball, 3> Course::quotient_at(double s) const {
   const Taylor<Ball> k = quotient<Ball>(at(s), true, s);
@@ -161,18 +180,7 @@ DerivativeBounds WaveCourse::bounds() const {
   return {sum.third.upper(), sum.fourth.upper()};
 }
 
-using pieces::Piece;
-using pieces::Side;
-using pieces::Taylor;
-
 namespace {
-
-double upper_double(const Ball& x) {
-  return arf_get_d(arb_midref(x.upper().raw()), ARF_RND_CEIL);
-}
-double lower_double(const Ball& x) {
-  return arf_get_d(arb_midref(x.lower().raw()), ARF_RND_FLOOR);
-}
 
 class Search {
  public:
@@ -259,7 +267,7 @@ class Search {
 bool Search::settle(const Piece& piece, double a, double b) {
   const bool one_sided = piece.weighted && a == 0;
   const double c = one_sided ? 0 : a + (b - a) / 2;
-  const Ball h(pieces::reach(a, c, b));
+  const Ball h(reach(a, c, b));
   const Taylor<Ball> k = piece.at(c);
   const Ball spread = piece.third * h * h * h / Ball(6);
   const Ball lowest_slope = one_sided ? k.slope.lower() : -abs(k.slope).upper();
@@ -349,8 +357,8 @@ Infimum weighted_infimum(const Wave<Ball>& g, const Ball& T, Touches touches) {
 
 Infimum weighted_infimum(const Course& g, const Course& reversed, const DerivativeBounds& bounds,
                          const Ball& T, Touches touches) {
-  const double last = lower_double(T);
-  const double half = std::nextafter(upper_double(T) / 2, std::numeric_limits<double>::infinity());
+  const auto [last, longest] = ends(T);
+  const double half = std::nextafter(longest / 2, std::numeric_limits<double>::infinity());
   Search search(T, last);
   const auto finish = [&] {
     Infimum found = search.result();
@@ -370,12 +378,12 @@ Infimum weighted_infimum(const Course& g, const Course& reversed, const Derivati
     add_pieces(all, start, bounds, touches.start, half);
     add_pieces(all, end, bounds, touches.end, half);
   } else {
-    add_pieces(all, touches.start ? start : end, bounds, true, upper_double(T));
+    add_pieces(all, touches.start ? start : end, bounds, true, longest);
   }
   const Piece * best = nullptr;
-  pieces::Guess lowest{};
+  Guess lowest{};
   for (const Piece& piece : all) {
-    const pieces::Guess guess = pieces::sampled_minimum(piece);
+    const Guess guess = sampled_minimum(piece);
     if (best == nullptr || guess.value < lowest.value) {
       best = &piece;
       lowest = guess;
@@ -391,7 +399,7 @@ Infimum weighted_infimum(const Course& g, const Course& reversed, const Derivati
 }
 
 std::optional<Violation> violation(const Course& g, const Ball& T, const Ball& near) {
-  const double last = lower_double(T);
+  const double last = ends(T).first;
   double t = near.approximate();
   const bool at_start = !(t > 0);
   const bool at_end = !(t < last);

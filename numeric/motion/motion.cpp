@@ -3,21 +3,14 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/names.hpp"
 
 namespace stickslip::numeric::motion {
 
 using model::Vector4;
 
 std::string to_string(PhaseKind kind) {
-  switch (kind) {
-    case PhaseKind::slip:
-      return "slip";
-    case PhaseKind::overshoot:
-      return "overshoot";
-    case PhaseKind::stick:
-      return "stick";
-  }
-  throw InternalError("a phase of no known kind");
+  return name_of<PhaseKind::stick>(kind, "slip", "overshoot", "stick");
 }
 
 namespace {
@@ -65,15 +58,12 @@ Ball period(const Motion& motion) {
 }
 
 MotionOf<double> in_double(const Motion& motion) {
-  const model::Parameters<Ball>& a = motion.oscillator.data;
-  MotionOf<double> result{
-      model::oscillator<double>({a.chi.approximate(), a.eta.approximate(), a.us.approximate(),
-                                 a.V.approximate(), a.omega.approximate(), a.p.approximate()}),
-      {}};
+  const auto middle = [](const Ball& x) { return x.approximate(); };
+  MotionOf<double> result{model::oscillator<double>(model::mapped<double>(motion.oscillator.data, middle)),
+                          {}};
   for (const Phase& phase : motion.phases) {
     result.phases.push_back({phase.kind, phase.start.approximate(), phase.duration.approximate(),
-                             phase.load.approximate(),
-                             phase.Z.unaryExpr([](const Ball& b) { return b.approximate(); })});
+                             phase.load.approximate(), phase.Z.unaryExpr(middle)});
   }
   return result;
 }

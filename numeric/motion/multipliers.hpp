@@ -19,6 +19,18 @@ template <class S>
                                         : model::H<S>(o.modes, phase.duration);
 }
 
+// The places of the phases that stick.
+template <class S>
+[[nodiscard]] std::vector<std::size_t> sticks_of(const MotionOf<S>& motion) {
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < motion.phases.size(); ++k) {
+    if (motion.phases[k].kind == PhaseKind::stick) {
+      places.push_back(k);
+    }
+  }
+  return places;
+}
+
 // The friction force on a phase at the friction at rest r (4): us, -us, or r.
 template <class S>
 [[nodiscard]] S friction_on(PhaseKind kind, const S& us, const S& r) {
@@ -95,16 +107,12 @@ template <class T>
   };
   const model::Oscillator<T>& o = motion.oscillator;
   const std::size_t count = motion.phases.size();
-  std::size_t stick = count;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (motion.phases[k].kind == PhaseKind::stick) {
-      if (stick < count) {
-        throw InternalError("a motion with two sticks");
-      }
-      stick = k;
-    }
+  const std::vector<std::size_t> all = sticks_of(motion);
+  if (all.size() > 1) {
+    throw InternalError("a motion with two sticks");
   }
-  const bool sticks = stick < count;
+  const bool sticks = !all.empty();
+  const std::size_t stick = sticks ? all.front() : count;
   Matrix4 Phi = Matrix4::Identity();
   Matrix4 inverse = Matrix4::Identity();
   T det(1);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
+#include "core/names.hpp"
 #include "numeric/motion/multipliers.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
@@ -12,20 +12,13 @@ namespace {
 constexpr std::size_t states = 4;
 constexpr const char * not_enclosed = "the multipliers could not be enclosed";
 
-// The first phase that sticks, or the number of phases.
-std::size_t first_stick(const Motion& motion) {
-  const auto sticks = [](const Phase& phase) { return phase.kind == PhaseKind::stick; };
-  return static_cast<std::size_t>(std::find_if(motion.phases.begin(), motion.phases.end(), sticks) -
-                                  motion.phases.begin());
-}
-
 // With a stick, the map seen where the stick begins: there z2' = V, so z1, z2, z1' are all that can deviate.
 SquareMatrix reduced_monodromy(const Motion& motion) {
-  const std::size_t stick = first_stick(motion);
-  if (stick == motion.phases.size()) {
+  const std::vector<std::size_t> sticks = sticks_of(motion);
+  if (sticks.empty()) {
     return monodromy<Ball>(motion);
   }
-  const model::Matrix4<Ball> M = monodromy<Ball>(motion, stick);
+  const model::Matrix4<Ball> M = monodromy<Ball>(motion, sticks.front());
   return M.topLeftCorner<3, 3>();
 }
 
@@ -101,17 +94,7 @@ bool are_inside_unit_circle(const SquareMatrix& map) {
 }  // namespace
 
 std::string to_string(StabilityKind kind) {
-  switch (kind) {
-    case StabilityKind::stable:
-      return "stable";
-    case StabilityKind::unstable:
-      return "unstable";
-    case StabilityKind::marginal:
-      return "marginal";
-    case StabilityKind::undecided:
-      return "undecided";
-  }
-  throw InternalError("a stability of no known kind");
+  return name_of<StabilityKind::undecided>(kind, "stable", "unstable", "marginal", "undecided");
 }
 
 Stability stability_of(const SquareMatrix& return_map, bool collapses) {

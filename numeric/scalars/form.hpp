@@ -33,15 +33,11 @@ inline void add_magnitude(double& sum, const HardwareBall& x) {
   return mag_cmp(arb_radref(a.raw()), arb_radref(b.raw())) < 0;
 }
 
-// No member is below the first, or above the second; NaN or infinite where a ball is unbounded.
+// As of Ball.
 [[nodiscard]] inline std::pair<double, double> ends(const HardwareBall& x) {
   const double low = x.approximate() - x.radius();
   const double high = x.approximate() + x.radius();
   return {std::nextafter(low, -INFINITY), std::nextafter(high, INFINITY)};
-}
-[[nodiscard]] inline std::pair<double, double> ends(const Ball& x) {
-  return {arf_get_d(arb_midref(x.lower().raw()), ARF_RND_FLOOR),
-          arf_get_d(arb_midref(x.upper().raw()), ARF_RND_CEIL)};
 }
 
 // All sums of slopes times numbers of [-1, 1].
@@ -148,8 +144,7 @@ template <class S>
 template <class S>
 [[nodiscard]] S around(double low, double high) {
   const double middle = low + (high - low) / 2;
-  const double reach = std::nextafter(std::max(high - middle, middle - low), INFINITY);
-  return S(middle) + sway(std::array<S, 1>{S(reach)});
+  return S(middle) + sway(std::array<S, 1>{S(reach(low, middle, high))});
 }
 
 template <class S, int N>
@@ -179,6 +174,11 @@ struct Form {
     x.slopes[static_cast<std::size_t>(i)] = S(radius);
     x.over = x.at + sway(x.slopes);
     return x;
+  }
+  // From low to high.
+  [[nodiscard]] static Form variable_between(double low, double high, int i) {
+    const double middle = low + (high - low) / 2;
+    return variable(middle, reach(low, middle, high), i);
   }
 
   // g(this) of which the value at the middle, the range, and the range of the derivative are known.

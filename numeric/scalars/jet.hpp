@@ -67,39 +67,22 @@ struct Jet {
 
   Jet& operator+=(const Jet& b) {
     value += b.value;
-    reach(b.partials.size());
-    for (std::size_t i = 0; i < b.partials.size(); ++i) {
-      if (!is_zero(b.partials[i])) {
-        partials[i] += b.partials[i];
-      }
-    }
-    return *this;
+    return each(b, [](S& slope, const S& other) { slope += other; });
   }
   Jet& operator-=(const Jet& b) {
     value -= b.value;
-    reach(b.partials.size());
-    for (std::size_t i = 0; i < b.partials.size(); ++i) {
-      if (!is_zero(b.partials[i])) {
-        partials[i] -= b.partials[i];
-      }
-    }
-    return *this;
+    return each(b, [](S& slope, const S& other) { slope -= other; });
   }
   Jet& operator*=(const Jet& b) {
     if (this == &b) {
       return *this *= Jet(b);
     }
-    reach(b.partials.size());
     for (S& slope : partials) {
       if (!is_zero(slope)) {
         slope *= b.value;
       }
     }
-    for (std::size_t i = 0; i < b.partials.size(); ++i) {
-      if (!is_zero(b.partials[i])) {
-        add_product(partials[i], value, b.partials[i]);
-      }
-    }
+    each(b, [this](S& slope, const S& other) { add_product(slope, value, other); });
     value *= b.value;
     return *this;
   }
@@ -108,12 +91,7 @@ struct Jet {
       return *this /= Jet(b);
     }
     value /= b.value;
-    reach(b.partials.size());
-    for (std::size_t i = 0; i < b.partials.size(); ++i) {
-      if (!is_zero(b.partials[i])) {
-        partials[i] -= value * b.partials[i];
-      }
-    }
+    each(b, [this](S& slope, const S& other) { slope -= value * other; });
     for (S& slope : partials) {
       if (!is_zero(slope)) {
         slope /= b.value;
@@ -143,12 +121,7 @@ struct Jet {
   // sum += factor b, the factor a constant.
   friend void add_product(Jet& sum, const S& factor, const Jet& b) {
     add_product(sum.value, factor, b.value);
-    sum.reach(b.partials.size());
-    for (std::size_t i = 0; i < b.partials.size(); ++i) {
-      if (!is_zero(b.partials[i])) {
-        add_product(sum.partials[i], factor, b.partials[i]);
-      }
-    }
+    sum.each(b, [&](S& slope, const S& other) { add_product(slope, factor, other); });
   }
 
   friend Jet sin(const Jet& a) {
@@ -173,6 +146,17 @@ struct Jet {
       z.fill(S(0));
     }
     return z;
+  }
+  // Changes each partial by that of b, unless that is exactly zero.
+  template <class Change>
+  Jet& each(const Jet& b, const Change& change) {
+    reach(b.partials.size());
+    for (std::size_t i = 0; i < b.partials.size(); ++i) {
+      if (!is_zero(b.partials[i])) {
+        change(partials[i], b.partials[i]);
+      }
+    }
+    return *this;
   }
   // At least so many partials.
   void reach(std::size_t count) {

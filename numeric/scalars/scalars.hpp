@@ -2,6 +2,11 @@
 // derivatives.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 #include "core/ball.hpp"
 #include "core/rational.hpp"
 #include "model/scalar_traits.hpp"
@@ -9,7 +14,9 @@
 namespace stickslip::numeric::scalars {
 
 // The bits that `digits` significant digits need, with a few to spare.
-[[nodiscard]] long bits_for(int digits);
+[[nodiscard]] inline long bits_for(int digits) {
+  return static_cast<long>(std::ceil(3.3219281 * digits)) + 16;
+}
 
 // sum += a b and sum -= a b without a temporary.
 inline void add_product(double& sum, double a, double b) {
@@ -38,13 +45,44 @@ template <class S>
 [[nodiscard]] S pi();
 
 template <>
-[[nodiscard]] double scalar<double>(const Rational& value);
+[[nodiscard]] inline double scalar<double>(const Rational& value) {
+  return Ball(value).approximate();  // to nearest; GMP's own conversion cuts off
+}
 template <>
-[[nodiscard]] Ball scalar<Ball>(const Rational& value);
+[[nodiscard]] inline Ball scalar<Ball>(const Rational& value) {
+  return Ball(value);
+}
 template <>
-[[nodiscard]] double pi<double>();
+[[nodiscard]] inline double pi<double>() {
+  return std::numbers::pi;
+}
 template <>
-[[nodiscard]] Ball pi<Ball>();
+[[nodiscard]] inline Ball pi<Ball>() {
+  return Ball::pi();
+}
+
+// No member is below the first, or above the second; NaN or infinite where a ball is unbounded.
+[[nodiscard]] inline std::pair<double, double> ends(const Ball& x) {
+  return {arf_get_d(arb_midref(x.lower().raw()), ARF_RND_FLOOR),
+          arf_get_d(arb_midref(x.upper().raw()), ARF_RND_CEIL)};
+}
+// All numbers from the first to the second are members; there may be none.
+[[nodiscard]] inline std::pair<double, double> inner_ends(const Ball& x) {
+  return {arf_get_d(arb_midref(x.lower().raw()), ARF_RND_CEIL),
+          arf_get_d(arb_midref(x.upper().raw()), ARF_RND_FLOOR)};
+}
+
+// Not less than the distance of any x in [low, high] from a middle in there, whatever was rounded in finding
+// that.
+[[nodiscard]] inline double reach(double low, double middle, double high) {
+  return std::nextafter(std::max(high - middle, middle - low), INFINITY);
+}
+
+// Of all members of a ball; 0 where that is not known.
+template <class S>
+[[nodiscard]] int sign_of(const S& x) {
+  return x.is_positive() ? 1 : x.is_negative() ? -1 : 0;
+}
 
 }  // namespace stickslip::numeric::scalars
 

@@ -48,6 +48,17 @@ template <int N>
   return true;
 }
 
+// Whether all members of one box are in the other.
+template <int N>
+[[nodiscard]] bool contains(const Box<N>& outer, const Box<N>& inner) {
+  for (int i = 0; i < inner.size(); ++i) {
+    if (!outer(i).contains(inner(i))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 // A ball that contains every common member; nothing when there is none.
 [[nodiscard]] inline std::optional<Ball> intersection(const Ball& a, const Ball& b) {
   Ball common;

@@ -9,6 +9,7 @@
 #include <array>
 #include <deque>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/interruption.hpp"
@@ -47,8 +48,7 @@ template <int N>
     if (!side.is_finite()) {
       continue;
     }
-    const double low = arf_get_d(arb_midref(side.lower().raw()), ARF_RND_FLOOR);
-    const double high = arf_get_d(arb_midref(side.upper().raw()), ARF_RND_CEIL);
+    const auto [low, high] = scalars::ends(side);
     result.lower[i] = std::max(cell.lower[i], low);
     result.upper[i] = std::min(cell.upper[i], high);
     if (result.lower[i] > result.upper[i]) {
@@ -63,9 +63,7 @@ template <int N>
 [[nodiscard]] Cell<N> inside(const Box<N>& box) {
   Cell<N> result;
   for (std::size_t i = 0; i < N; ++i) {
-    const Ball& side = box(static_cast<int>(i));
-    result.lower[i] = arf_get_d(arb_midref(side.lower().raw()), ARF_RND_CEIL);
-    result.upper[i] = arf_get_d(arb_midref(side.upper().raw()), ARF_RND_FLOOR);
+    std::tie(result.lower[i], result.upper[i]) = scalars::inner_ends(box(static_cast<int>(i)));
   }
   return result;
 }
@@ -74,16 +72,6 @@ template <int N>
 [[nodiscard]] bool contains(const Cell<N>& outer, const Cell<N>& inner) {
   for (std::size_t i = 0; i < N; ++i) {
     if (!(outer.lower[i] <= inner.lower[i] && inner.upper[i] <= outer.upper[i])) {
-      return false;
-    }
-  }
-  return true;
-}
-
-template <int N>
-[[nodiscard]] bool contains(const Box<N>& outer, const Box<N>& inner) {
-  for (int i = 0; i < N; ++i) {
-    if (!outer(i).contains(inner(i))) {
       return false;
     }
   }

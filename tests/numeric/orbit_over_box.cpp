@@ -35,12 +35,8 @@ Example example_P() {
 }
 
 motion::Given<Rational> exact(const OrbitQuestion& q) {
-  const model::Parameters<Range>& a = q.parameters;
-  const auto of = [](const std::optional<Range>& range) {
-    return range ? std::optional(range->middle) : std::nullopt;
-  };
-  return {
-      {a.chi.middle, a.eta.middle, a.us.middle, a.V.middle, a.omega.middle, a.p.middle}, of(q.phi), of(q.ur)};
+  return motion::mapped<Rational>(motion::Given<Range>{q.parameters, q.phi, q.ur},
+                                  [](const Range& range) { return range.middle; });
 }
 
 // Of several with that duration, an admissible one.

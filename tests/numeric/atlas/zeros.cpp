@@ -30,7 +30,7 @@ TEST_CASE("Zeros over a box are counted only where the number is the same for al
     const Parabola f{Form<HardwareBall, 3>::variable(middle, radius, 1)};
     const auto cells = settled<HardwareBall, 3>(f, f, {{0, 1}}, 0x1p-12);
     const auto found =
-        zeros_between(cells, [&](int u) { return detail::sign_of(f(Form<HardwareBall, 3>(u)).over); });
+        zeros_between(cells, [&](int u) { return scalars::sign_of(f(Form<HardwareBall, 3>(u)).over); });
     return std::holds_alternative<Reason>(found)
                ? -static_cast<int>(std::get<Reason>(found))
                : static_cast<int>(std::get<std::vector<Bracket>>(found).size());

@@ -472,7 +472,7 @@ TEST_CASE("the exit functions of symmetric orbits are those of all orbits, but f
   for (const char * omega : {"0.51", "0.528", "0.5295", "0.6"}) {
     const BranchQuestion question = along(S(), "omega", "0.5", "0.61");
     for (const Orbit& orbit : at(question, parse_rational(omega)).orbits) {
-      const ExitFactors<Ball> all = exit_factors(orbit.motion), few = symmetric_exit_factors(orbit.motion);
+      const ExitFactors<Ball> all = exit_factors(orbit.motion), few = exit_factors(orbit.motion, true);
       const model::Modes<Ball>& m = orbit.motion.oscillator.modes;
       const Ball d = m.lambda2 - m.lambda1;
       const Ball scale = Ball(8) / (d * d * m.omega1 * m.omega2);

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include "numeric/branches/pieces.hpp"
 #include "tests/numeric/branches/questions.hpp"
 
 using namespace stickslip;

@@ -1,8 +1,7 @@
 // Branches that leave for infinity, and those that do not.
-#include "numeric/branches/infinity.hpp"
-
 #include <doctest/doctest.h>
 
+#include "numeric/branches/curve.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "tests/numeric/branches/questions.hpp"
 

@@ -1,6 +1,5 @@
 // The tubes around branches, which are left out of the search for more: what would hide an orbit that is on
 // no branch is refused.
-#include "numeric/branches/tubes.hpp"
 
 #include <doctest/doctest.h>
 
@@ -199,8 +198,8 @@ TEST_CASE("tubes in the units of large motions hold these, and nothing at the ot
         x[place] = scalars::ends(cell.proof.p0(0));
         CHECK(tubes.hold(units, x, parameter));
         CHECK(!tubes.hold(x, parameter));
-        CHECK(!tubes.hold({units.place, -units.sign, units.growing}, x, parameter));
-        CHECK(!tubes.hold({units.place, units.sign, {}}, x, parameter));
+        CHECK(!tubes.hold(Units{units.place, -units.sign, units.growing}, x, parameter));
+        CHECK(!tubes.hold(Units{units.place, units.sign, {}}, x, parameter));
         std::vector<families::Bounds> beyond = x;
         beyond[place].first = -1e-3;
         CHECK(!tubes.hold(units, beyond, parameter));

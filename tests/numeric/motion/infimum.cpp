@@ -43,8 +43,8 @@ TEST_CASE("half the length of an interval does not reach both ends from a rounde
     const auto reaches_both = [&](double h) {  // 128 bits: exact
       return !(Ball(h) - (Ball(b) - Ball(c))).is_negative() && !(Ball(h) - (Ball(c) - Ball(a))).is_negative();
     };
-    CHECK(reaches_both(pieces::reach(a, c, b)));
-    CHECK(pieces::reach(a, c, b) <= (b - a) / 2 + 2 * (std::nextafter(b, 2 * b) - b));
+    CHECK(reaches_both(numeric::scalars::reach(a, c, b)));
+    CHECK(numeric::scalars::reach(a, c, b) <= (b - a) / 2 + 2 * (std::nextafter(b, 2 * b) - b));
     short_of_an_end += reaches_both(std::nextafter((b - a) / 2, b)) ? 0 : 1;
   }
   CHECK(short_of_an_end > 100);
