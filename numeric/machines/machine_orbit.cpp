@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "numeric/machines/judge.hpp"
 #include "numeric/words/word.hpp"
 #include "numeric/zeros/linear_solve.hpp"
@@ -211,10 +211,8 @@ std::pair<Verdict, long> prove_while_open(const MachineQuestion& question, const
 MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& guess, int digits,
                                  long most_bits) {
   require_machine(machine);
-  if (guess.events.size() < 2) {
-    throw DomainError("a guess of a periodic motion", fmt::format("{} events", guess.events.size()),
-                      "at least two");
-  }
+  require(guess.events.size() >= 2, "a guess of a periodic motion",
+          fmt::format("{} events", guess.events.size()), "at least two");
   const MachineQuestion question{machine, guess.pieces(), guess.periods};
   MachineOrbit orbit;
   orbit.pieces = question.pieces;

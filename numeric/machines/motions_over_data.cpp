@@ -14,8 +14,7 @@
 #include <span>
 #include <string>
 
-#include "core/decimal.hpp"
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
 
@@ -501,10 +500,9 @@ std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<Motion
   const std::size_t data = box.low.size();
   for (const MotionAt& motion : motions) {
     for (std::size_t k = 0; k < data; ++k) {
-      if (motion.values[k] < box.low[k] || motion.values[k] > box.high[k]) {
-        throw DomainError("a motion's datum", to_string(motion.values[k]),
-                          fmt::format("in the box, {} to {}", to_string(box.low[k]), to_string(box.high[k])));
-      }
+      require(motion.values[k] >= box.low[k] && motion.values[k] <= box.high[k], "a motion's datum",
+              motion.values[k],
+              fmt::format("in the box, {} to {}", to_string(box.low[k]), to_string(box.high[k])));
     }
   }
   for (const MotionAt& motion : motions) {

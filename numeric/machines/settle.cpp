@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "numeric/words/word.hpp"
 
 namespace stickslip::numeric::machines {
@@ -60,10 +60,8 @@ Followers followers_of(const Machine& machine, const std::vector<Eigen::VectorXd
   require_machine(machine);
   const auto size = static_cast<Eigen::Index>(2 * machine.oscillator.size());
   for (const Eigen::VectorXd& X : starts) {
-    if (X.size() != size) {
-      throw DomainError("the state", fmt::format("{} numbers", X.size()),
-                        fmt::format("{}, positions and velocities", size));
-    }
+    require(X.size() == size, "the state", fmt::format("{} numbers", X.size()),
+            fmt::format("{}, positions and velocities", size));
   }
   if (starts.empty()) {
     return {};

@@ -15,7 +15,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 
 namespace stickslip::numeric::simulation {
 
@@ -225,9 +225,7 @@ class Integrator {
 }  // namespace
 
 Run follow_raw_law(const Start& start, double duration, double tolerance) {
-  if (!(duration > 0) || !std::isfinite(duration)) {
-    throw DomainError("the duration", fmt::format("{}", duration), "a finite number > 0");
-  }
+  require(duration > 0 && std::isfinite(duration), "the duration", duration, "a finite number > 0");
   try {
     return Integrator(start, tolerance).run(duration);
   } catch (const odeint::odeint_error& error) {

@@ -1,12 +1,10 @@
 #include "numeric/simulation/simulation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "core/sinc.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
@@ -36,12 +34,6 @@ constexpr double least_term = 1e-17;
 
 int side_of(double r) {
   return r > 0 ? 1 : -1;
-}
-
-void require(bool holds, const char * name, double value, const char * range) {
-  if (!holds) {
-    throw DomainError(name, fmt::format("{}", value), range);
-  }
 }
 
 const model::Parameters<double>& in_domain(const model::Parameters<double>& a, double ur, double phi,
@@ -355,9 +347,7 @@ void SimulationOf<N, L>::passed(double part) {
 
 template <int N, int L>
 double SimulationOf<N, L>::advance(double duration, std::vector<Transition> * log, long most_steps) {
-  if (!(duration >= 0) || !std::isfinite(duration)) {
-    throw DomainError("the duration", fmt::format("{}", duration), "a finite number >= 0");
-  }
+  require(duration >= 0 && std::isfinite(duration), "the duration", duration, "a finite number >= 0");
   left_ = duration;
   steps_ = most_steps;
   normalise();
