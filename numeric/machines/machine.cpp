@@ -72,7 +72,7 @@ double scale_of(const model::FrictionOscillator<double>& o) {
   return stiffness > 0 ? std::sqrt(stiffness / o.masses[o.rubbing]) : 1;
 }
 
-MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
+attractors::StartBoxOf<Eigen::VectorXd> start_box(const model::FrictionOscillator<double>& o) {
   const auto n = static_cast<Eigen::Index>(o.size());
   const auto j = static_cast<Eigen::Index>(o.rubbing);
   const double m = o.masses[o.rubbing];
@@ -93,7 +93,7 @@ MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
       s = std::max(s, std::hypot(load.cosine, load.sine) / (o.masses[load.mass] * Omega));
     }
   }
-  MachineStartBox box{Eigen::VectorXd::Zero(2 * n), Eigen::VectorXd::Zero(2 * n)};
+  attractors::StartBoxOf<Eigen::VectorXd> box{Eigen::VectorXd::Zero(2 * n), Eigen::VectorXd::Zero(2 * n)};
   box.middle.head(n) = zeros::least_squares(o.stiffness, forces);
   box.middle(n + j) = o.V - side * s;
   box.half.head(n).setConstant(2 * s / Omega);

@@ -25,7 +25,7 @@ class Reaching {
   [[nodiscard]] std::optional<std::size_t> at_events(SetOfMotions set, long most_periods) const;
 
   SetFlow flow_;
-  simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic> simulation_;
+  simulation::AnySimulation simulation_;
   bool autonomous_;
   std::vector<std::shared_ptr<const Neighbourhood>> all_;
 };

@@ -40,15 +40,11 @@ Ball folded(const std::vector<Ball>& a, const std::vector<Ball>& b) {
   return sum;
 }
 
-Piece piece_of(int side) {
-  return {side > 0 ? motion::PhaseKind::slip : motion::PhaseKind::overshoot, 0};
-}
-
 }  // namespace
 
 Vector smooth_rate(const LinearPhases& phases, int side, const Vector& w) {
   const model::SmoothFriction<Ball>& law = *phases.oscillator().law(side).smooth;
-  Vector rate = sparse_product(phases.drift(piece_of(side)), w);
+  Vector rate = sparse_product(phases.drift(Piece::sliding(side)), w);
   rate(phases.speed_row()) += Ball(side) * law.force(relative_velocity(phases, side, w)) / mass_of(phases);
   return rate;
 }
@@ -57,7 +53,7 @@ SmoothPhase::SmoothPhase(const LinearPhases& phases, int side, const Vector& w, 
                          bool with_derivative)
     : phases_(phases),
       law_(*phases.oscillator().law(side).smooth),
-      drift_(phases.drift(piece_of(side))),
+      drift_(phases.drift(Piece::sliding(side))),
       side_(side),
       direction_(reversed ? -1 : 1),
       with_derivative_(with_derivative),

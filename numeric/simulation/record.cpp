@@ -106,7 +106,7 @@ RecordOf<AnyState> record_motion(const model::FrictionOscillator<double>& oscill
                                  const AnyState& X, const RecordPlan& plan,
                                  const std::function<bool(double)>& go_on,
                                  const std::function<void(const SampleOf<AnyState>&)>& take) {
-  SimulationOf<Eigen::Dynamic, Eigen::Dynamic> simulation(oscillator, phi, X);
+  AnySimulation simulation(oscillator, phi, X);
   RecordOf<AnyState> record;
   follow(
       simulation, record, plan,
