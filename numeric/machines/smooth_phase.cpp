@@ -183,8 +183,7 @@ Matrix SmoothPhase::derivative_box(const Vector& w, double length) const {
   return D;
 }
 
-// The next coefficient over all of a step from there, which has those before it.
-std::optional<SmoothPhase::Last> SmoothPhase::over(const Series& here, double length) const {
+std::optional<SmoothPhase::Series> SmoothPhase::over(const Series& here, double length) const {
   constexpr double room = 0x1p-20;
   const WorkingPrecision scope(box_bits);
   const Ball times = Ball::hull(Ball(0), Ball(length));
@@ -206,7 +205,7 @@ std::optional<SmoothPhase::Last> SmoothPhase::over(const Series& here, double le
       return std::nullopt;
     }
   }
-  return Last{last.w.back(), with_derivative_ ? last.derivative.back() : Matrix()};
+  return last;
 }
 
 std::optional<SmoothPhase::Step> SmoothPhase::step(const Vector& w, double start, double longest) const {
@@ -223,17 +222,17 @@ std::optional<SmoothPhase::Step> SmoothPhase::step(const Vector& w, double start
   double length = std::min(likely_length(here), longest);
   for (int attempt = 0; attempt <= most_attempts; ++attempt, length *= shorter) {
     length = std::floor(length / quantum_) * quantum_;
-    const std::optional<Last> last = length > 0 ? over(here, length * longer) : std::nullopt;
+    const std::optional<Series> last = length > 0 ? over(here, length * longer) : std::nullopt;
     if (!last) {
       continue;
     }
     const double power = std::pow(length, static_cast<double>(order));
-    const bool small = size(last->w) * power <= below * size(w) &&
-                       (!with_derivative_ || size(last->derivative) * power <= below);
+    const bool small = size(last->w.back()) * power <= below * size(w) &&
+                       (!with_derivative_ || size(last->derivative.back()) * power <= below);
     if (small || attempt == most_attempts) {
-      here.w.push_back(last->w);
+      here.w.push_back(last->w.back());
       if (with_derivative_) {
-        here.derivative.push_back(last->derivative);
+        here.derivative.push_back(last->derivative.back());
       }
       return Step{start, length, here.w, here.derivative};
     }

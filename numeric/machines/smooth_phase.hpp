@@ -46,14 +46,11 @@ class SmoothPhase {
     std::vector<Vector> w;
     std::vector<Matrix> derivative;
   };
-  struct Last {
-    Vector w;
-    Matrix derivative;
-  };
   [[nodiscard]] std::optional<Step> step(const Vector& w, double start, double longest) const;
   // The coefficients of orders 0 to `order`.
   [[nodiscard]] Series series(const Vector& w, const Matrix& derivative, std::size_t order) const;
-  [[nodiscard]] std::optional<Last> over(const Series& here, double length) const;
+  // Over all of a step from there: the last coefficient is the one after those.
+  [[nodiscard]] std::optional<Series> over(const Series& here, double length) const;
   [[nodiscard]] Matrix derivative_box(const Vector& w, double length) const;
   [[nodiscard]] double likely_length(const Series& series) const;
   [[nodiscard]] double size(const Vector& w) const;

@@ -406,7 +406,7 @@ typename SimulationOf<N, L>::Outcome SimulationOf<N, L>::step() {
     Cubic g = affine(f, guard.sign, guard.offset);
     const int zero_order = zeros(g, rounding, guard.begins, exit_slope_ * piece.step);
     const bool is_free = zero_order == 0
-                             ? bounds(g, 1)[0] > 0
+                             ? least(g, 1) > 0
                              : zero_order > 0 && !(positive_until(lower_bound(g, zero_order), 1, 0) < 1);
     if (!is_free) {
       return part_of_step(part, rounding);
@@ -456,7 +456,7 @@ std::pair<double, bool> SimulationOf<N, L>::free_part(const Guard& guard, double
     if (zero_order < 0) {
       return {from, true};
     }
-    if (zero_order == 0 && bounds(g, part - from)[0] > 0) {
+    if (zero_order == 0 && least(g, part - from) > 0) {
       return {part, false};
     }
     const double free =
