@@ -93,12 +93,8 @@ std::vector<Eigen::VectorXd> states_of(const Machine& machine, const MachineAttr
       return {a.state};
     }
     std::vector<Eigen::VectorXd> states;
-    motion::PhaseKind before = a.orbit->phases.back().piece.kind;
-    for (const MachinePhase& phase : a.orbit->phases) {
-      if (phase.piece.kind != before) {
-        states.push_back(zeros::in_double(phase.state));
-      }
-      before = phase.piece.kind;
+    for (const std::size_t i : begins_of_phases(a.orbit->pieces)) {
+      states.push_back(zeros::in_double(a.orbit->phases[i].state));
     }
     return states;
   }

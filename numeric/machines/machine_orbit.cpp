@@ -143,6 +143,16 @@ MachineOrbit decided(const MachineQuestion& question, const ChainProof& proof) {
   return orbit;
 }
 
+std::vector<std::size_t> begins_of_phases(const std::vector<Piece>& pieces) {
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (pieces[i].kind != pieces[(i + pieces.size() - 1) % pieces.size()].kind) {
+      begins.push_back(i);
+    }
+  }
+  return begins;
+}
+
 std::string word_of(const std::vector<Piece>& pieces, bool with_pieces) {
   if (with_pieces) {
     std::string text;
@@ -153,11 +163,8 @@ std::string word_of(const std::vector<Piece>& pieces, bool with_pieces) {
     return text;
   }
   std::string letters;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Piece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
-    if (before.kind != pieces[i].kind) {
-      letters += words::letter(pieces[i].kind);
-    }
+  for (const std::size_t i : begins_of_phases(pieces)) {
+    letters += words::letter(pieces[i].kind);
   }
   if (letters.empty() && !pieces.empty()) {  // it never leaves this phase
     letters = words::letter(pieces[0].kind);
