@@ -103,7 +103,6 @@ struct Part {
   std::size_t whole = none;             // the place of that of which it is a part
   double away = 0;                      // from a given motion
 
-  [[nodiscard]] Rational volume() const { return volume_of(half); }
   // s in it.
   [[nodiscard]] Values inside(const Values& values) const {
     Values s = values;
@@ -232,7 +231,7 @@ class Search {
         ++looked_at_;
         tried_[part.halvings].add(is_done, datum);
       }
-      width_ = is_done && part.volume() > volume_of(width_) ? part.half : width_;
+      width_ = is_done && volume_of(part.half) > volume_of(width_) ? part.half : width_;
       if (datum) {
         halve(part, *datum, all[i], halves);
       } else {

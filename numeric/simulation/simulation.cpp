@@ -32,10 +32,6 @@ constexpr double units = 8 * 0x1p-53;
 // Terms of a Taylor polynomial below this part of it are left out, as those beyond its order are.
 constexpr double least_term = 1e-17;
 
-int side_of(double r) {
-  return r > 0 ? 1 : -1;
-}
-
 const model::Parameters<double>& in_domain(const model::Parameters<double>& a, double ur, double phi,
                                            const Vector4<double>& X) {
   require(a.chi >= 1e-100 && a.chi < 1, "chi", a.chi, "1e-100 <= chi < 1");
@@ -533,7 +529,7 @@ bool SimulationOf<N, L>::leaves(int side, double r) const {
 template <int N, int L>
 void SimulationOf<N, L>::leave_or_stick(double r, std::vector<Transition> * log) {
   const Piece& before = pieces_[now_];
-  const int side = side_of(r);
+  const int side = r > 0 ? 1 : -1;
   standstill_ = age_ < instant ? standstill_ + 1 : 0;
   const bool reaches = std::abs(r) >= bound(side);
   const bool slips = reaches && leaves(side, r) && standstill_ < most_at_once;
