@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/decimal.hpp"
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "numeric/machine_along.hpp"
 
 namespace stickslip::numeric {
@@ -24,15 +23,12 @@ std::string brief(const Rational& value) {
 // Powers of ten that no machine needs, within which everything is representable.
 void require_positive(const char * name, const Rational& value) {
   static const Rational least = parse_rational("1e-50"), most = parse_rational("1e50");
-  if (value < least || value > most) {
-    throw DomainError(name, brief(value), fmt::format("{0} > 0, from 1e-50 to 1e50", name));
-  }
+  require(value >= least && value <= most, name, brief(value),
+          fmt::format("{0} > 0, from 1e-50 to 1e50", name));
 }
 
 void require_not_negative(const char * name, const Rational& value) {
-  if (value < 0) {
-    throw DomainError(name, brief(value), fmt::format("{} >= 0", name));
-  }
+  require(value >= 0, name, brief(value), fmt::format("{} >= 0", name));
   if (value > 0) {
     require_positive(name, value);
   }

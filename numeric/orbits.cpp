@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "core/interruption.hpp"
 #include "numeric/families/isolate.hpp"
 #include "numeric/machines/neighbourhood.hpp"
@@ -102,13 +102,10 @@ void require_understood(const OrbitQuestion& q) {
 void require_domain(const OrbitQuestion& q) {
   require_model_domain(each(q, lower).data);
   require_model_domain(each(q, upper).data);
-  if (has_stick(*q.family) && lower(q.parameters.V) <= 0) {
-    throw DomainError("V", stickslip::to_string(lower(q.parameters.V)),
-                      "V > 0 for orbits with a stick phase");
-  }
-  if (q.ur && lower(*q.ur) <= upper(q.parameters.us)) {
-    throw DomainError("ur", stickslip::to_string(lower(*q.ur)),
-                      "ur > us = " + stickslip::to_string(upper(q.parameters.us)));
+  const Rational V = lower(q.parameters.V), us = upper(q.parameters.us);
+  require(!has_stick(*q.family) || V > 0, "V", V, "V > 0 for orbits with a stick phase");
+  if (q.ur) {
+    require(lower(*q.ur) > us, "ur", lower(*q.ur), "ur > us = " + stickslip::to_string(us));
   }
 }
 

@@ -123,12 +123,96 @@ class Survey {
 
   // Motions that return are put together, each sort is proved, and those that cannot stay where they are are
   // open again.
-  void prove();
+  void prove() {
+    const auto seen = parallel_map(open_.size(), [&](std::size_t i) {
+      const std::optional<Return> one = followers_[open_[i]]->returned();
+      return one ? std::optional(proofs_.tidied(*one)) : std::nullopt;
+    });
+    std::vector<Group> fresh;
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      if (!seen[i]) {
+        continue;
+      }
+      const auto is_it = [&](const Group& group) { return same(*seen[i], group.seen); };
+      auto known = std::ranges::find_if(groups_, is_it);
+      if (known == groups_.end()) {
+        known = std::ranges::find_if(fresh, is_it);
+        if (known == fresh.end()) {
+          fresh.push_back({*seen[i], {}, {}});
+          known = fresh.end() - 1;
+        }
+      }
+      known->members.push_back(open_[i]);
+    }
+    const bool stopped = interrupted();
+    const auto orbits = parallel_map(fresh.size(), [&](std::size_t i) -> std::optional<Orbit> {
+      return stopped && proofs_.provable() ? std::nullopt : proofs_.prove(fresh[i].seen);
+    });
+    open_.clear();
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+      fresh[i].orbit = orbits[i];
+      if (proofs_.provable() && !stopped && attracts(fresh[i]) != Truth::proved) {
+        fresh[i].members = left_after_sending_on(fresh[i]);
+      }
+      if (!fresh[i].members.empty()) {
+        add(fresh[i]);
+      }
+    }
+  }
   // Joins the group to the one of the same orbit.
-  void add(const Group& group);
+  void add(const Group& group) {
+    const auto known = std::ranges::find_if(groups_, [&](const Group& one) {
+      return exists(one) && exists(group) && proofs_.overlap(*one.orbit, *group.orbit);
+    });
+    if (known == groups_.end()) {
+      groups_.push_back(group);
+    } else {
+      known->members.insert(known->members.end(), group.members.begin(), group.members.end());
+    }
+  }
   // Motions that have not settled in their time, but go through the word of a proved stable orbit and come
   // nearer and nearer to it.
-  void place_what_nears();
+  void place_what_nears() {
+    if (!proofs_.provable() || interrupted()) {
+      return;
+    }
+    std::vector<std::size_t> slow;
+    for (std::size_t i = 0; i < followers_.size(); ++i) {
+      if (followers_[i]->kind() == Kind::unsettled && !followers_[i]->is_too_slow() && !is_placed(i)) {
+        slow.push_back(i);
+      }
+    }
+    const std::vector<std::optional<Return>> seen =
+        parallel_map(slow.size(), [&](std::size_t i) { return followers_[slow[i]]->steady_word(); });
+    std::map<std::pair<std::string, long>, Group> of_word;  // one proof for all motions of a word
+    for (const std::optional<Return>& one : seen) {
+      if (one && !of_word.contains({one->word, one->guess.periods})) {
+        of_word[{one->word, one->guess.periods}] = {*one, {}, proofs_.prove(proofs_.tidied(*one))};
+      }
+    }
+    const auto on_its_way = parallel_map(slow.size(), [&](std::size_t i) {
+      if (!seen[i] || interrupted()) {
+        return false;
+      }
+      const Orbit& found = *of_word.at({seen[i]->word, seen[i]->guess.periods}).orbit;
+      return is_stable(found) == Truth::proved && found.periods == seen[i]->guess.periods &&
+             proofs_.word(found) == seen[i]->word &&
+             followers_[slow[i]]->nears(proofs_.at_phase_0(found),
+                                        spectral_radius(*proofs_.judged(found).stability), found.periods,
+                                        most_periods_ / 4);
+    });
+    for (std::size_t i = 0; i < slow.size(); ++i) {
+      if (on_its_way[i]) {
+        of_word.at({seen[i]->word, seen[i]->guess.periods}).members.push_back(slow[i]);
+      }
+    }
+    for (auto& [word, group] : of_word) {
+      if (!group.members.empty()) {
+        group.seen.once.front() = proofs_.at_phase_0(*group.orbit);
+        add(group);
+      }
+    }
+  }
   [[nodiscard]] bool is_placed(std::size_t i) const {
     return std::ranges::any_of(groups_, [&](const Group& group) {
       return std::ranges::find(group.members, i) != group.members.end();
@@ -136,8 +220,72 @@ class Survey {
   }
   // Motions that seem to return where no orbit is proved to hold them are followed on. At the end of their
   // time those have not settled whose orbit is proved not to hold them; the others are what is returned.
-  [[nodiscard]] std::vector<std::size_t> left_after_sending_on(const Group& group);
-  [[nodiscard]] Endings<Attractor> result() const;
+  [[nodiscard]] std::vector<std::size_t> left_after_sending_on(const Group& group) {
+    std::vector<std::size_t> left;
+    for (const std::size_t i : group.members) {
+      if (2 * followers_[i]->periods() < most_periods_) {
+        open_.push_back(i);
+      } else if (attracts(group) != Truth::refuted) {
+        left.push_back(i);
+      } else {
+        followers_[i]->reject();
+      }
+    }
+    return left;
+  }
+  [[nodiscard]] Endings<Attractor> result() const {
+    Endings<Attractor> all{{}, 0, interrupted(), 0};
+    std::vector<bool> placed(followers_.size());
+    for (const Group& group : groups_) {
+      Attractor a;
+      a.kind = Kind::periodic;
+      a.members = group.members;
+      a.count = static_cast<long>(group.members.size());
+      a.word = exists(group) ? proofs_.word(*group.orbit) : group.seen.word;
+      a.periods = exists(group) ? group.orbit->periods : group.seen.guess.periods;
+      a.orbit = group.orbit;
+      a.state = group.seen.once.front();
+      all.attractors.push_back(proofs_.completed(std::move(a)));
+      for (const std::size_t i : group.members) {
+        placed[i] = true;
+      }
+    }
+    std::map<Kind, Attractor> others;
+    for (std::size_t i = 0; i < followers_.size(); ++i) {
+      const AnyFollower& follower = *followers_[i];
+      all.simulated += follower.periods();
+      if (!placed[i] && !follower.is_followed(most_periods_)) {
+        continue;  // interrupted
+      }
+      ++all.followed;
+      if (placed[i]) {
+        continue;
+      }
+      const Kind kind = proofs_.kind(follower.kind());
+      Attractor& a = others[kind];
+      a.kind = kind;
+      a.state = a.count == 0 ? follower.state() : Eigen::VectorXd(a.state);
+      if (follower.lyapunov()) {
+        a.lyapunov = (a.lyapunov.value_or(0) * static_cast<double>(a.count) + *follower.lyapunov()) /
+                     static_cast<double>(a.count + 1);
+      }
+      a.members.push_back(i);
+      a.is_too_slow = a.is_too_slow || follower.is_too_slow();
+      ++a.count;
+    }
+    for (const auto& [kind, attractor] : others) {
+      all.attractors.push_back(attractor);
+    }
+    for (Attractor& a : all.attractors) {
+      const Interval interval = wilson(a.count, all.followed);
+      a.share = static_cast<double>(a.count) / static_cast<double>(all.followed);
+      a.least = interval.least;
+      a.most = interval.most;
+    }
+    std::ranges::stable_sort(all.attractors,
+                             [](const Attractor& a, const Attractor& b) { return a.count > b.count; });
+    return all;
+  }
 
   Proofs proofs_;
   long most_periods_;
@@ -145,168 +293,5 @@ class Survey {
   std::vector<std::size_t> open_;
   std::vector<Group> groups_;
 };
-
-template <class Proofs>
-std::vector<std::size_t> Survey<Proofs>::left_after_sending_on(const Group& group) {
-  std::vector<std::size_t> left;
-  for (const std::size_t i : group.members) {
-    if (2 * followers_[i]->periods() < most_periods_) {
-      open_.push_back(i);
-    } else if (attracts(group) != Truth::refuted) {
-      left.push_back(i);
-    } else {
-      followers_[i]->reject();
-    }
-  }
-  return left;
-}
-
-template <class Proofs>
-void Survey<Proofs>::prove() {
-  const auto seen = parallel_map(open_.size(), [&](std::size_t i) {
-    const std::optional<Return> one = followers_[open_[i]]->returned();
-    return one ? std::optional(proofs_.tidied(*one)) : std::nullopt;
-  });
-  std::vector<Group> fresh;
-  for (std::size_t i = 0; i < open_.size(); ++i) {
-    if (!seen[i]) {
-      continue;
-    }
-    const auto is_it = [&](const Group& group) { return same(*seen[i], group.seen); };
-    auto known = std::ranges::find_if(groups_, is_it);
-    if (known == groups_.end()) {
-      known = std::ranges::find_if(fresh, is_it);
-      if (known == fresh.end()) {
-        fresh.push_back({*seen[i], {}, {}});
-        known = fresh.end() - 1;
-      }
-    }
-    known->members.push_back(open_[i]);
-  }
-  const bool stopped = interrupted();
-  const auto orbits = parallel_map(fresh.size(), [&](std::size_t i) -> std::optional<Orbit> {
-    return stopped && proofs_.provable() ? std::nullopt : proofs_.prove(fresh[i].seen);
-  });
-  open_.clear();
-  for (std::size_t i = 0; i < fresh.size(); ++i) {
-    fresh[i].orbit = orbits[i];
-    if (proofs_.provable() && !stopped && attracts(fresh[i]) != Truth::proved) {
-      fresh[i].members = left_after_sending_on(fresh[i]);
-    }
-    if (!fresh[i].members.empty()) {
-      add(fresh[i]);
-    }
-  }
-}
-
-template <class Proofs>
-void Survey<Proofs>::add(const Group& group) {
-  const auto known = std::ranges::find_if(groups_, [&](const Group& one) {
-    return exists(one) && exists(group) && proofs_.overlap(*one.orbit, *group.orbit);
-  });
-  if (known == groups_.end()) {
-    groups_.push_back(group);
-  } else {
-    known->members.insert(known->members.end(), group.members.begin(), group.members.end());
-  }
-}
-
-template <class Proofs>
-void Survey<Proofs>::place_what_nears() {
-  if (!proofs_.provable() || interrupted()) {
-    return;
-  }
-  std::vector<std::size_t> slow;
-  for (std::size_t i = 0; i < followers_.size(); ++i) {
-    if (followers_[i]->kind() == Kind::unsettled && !followers_[i]->is_too_slow() && !is_placed(i)) {
-      slow.push_back(i);
-    }
-  }
-  const std::vector<std::optional<Return>> seen =
-      parallel_map(slow.size(), [&](std::size_t i) { return followers_[slow[i]]->steady_word(); });
-  std::map<std::pair<std::string, long>, Group> of_word;  // one proof for all motions of a word
-  for (const std::optional<Return>& one : seen) {
-    if (one && !of_word.contains({one->word, one->guess.periods})) {
-      of_word[{one->word, one->guess.periods}] = {*one, {}, proofs_.prove(proofs_.tidied(*one))};
-    }
-  }
-  const auto on_its_way = parallel_map(slow.size(), [&](std::size_t i) {
-    if (!seen[i] || interrupted()) {
-      return false;
-    }
-    const Orbit& found = *of_word.at({seen[i]->word, seen[i]->guess.periods}).orbit;
-    return is_stable(found) == Truth::proved && found.periods == seen[i]->guess.periods &&
-           proofs_.word(found) == seen[i]->word &&
-           followers_[slow[i]]->nears(proofs_.at_phase_0(found),
-                                      spectral_radius(*proofs_.judged(found).stability), found.periods,
-                                      most_periods_ / 4);
-  });
-  for (std::size_t i = 0; i < slow.size(); ++i) {
-    if (on_its_way[i]) {
-      of_word.at({seen[i]->word, seen[i]->guess.periods}).members.push_back(slow[i]);
-    }
-  }
-  for (auto& [word, group] : of_word) {
-    if (!group.members.empty()) {
-      group.seen.once.front() = proofs_.at_phase_0(*group.orbit);
-      add(group);
-    }
-  }
-}
-
-template <class Proofs>
-Endings<typename Proofs::Attractor> Survey<Proofs>::result() const {
-  Endings<Attractor> all{{}, 0, interrupted(), 0};
-  std::vector<bool> placed(followers_.size());
-  for (const Group& group : groups_) {
-    Attractor a;
-    a.kind = Kind::periodic;
-    a.members = group.members;
-    a.count = static_cast<long>(group.members.size());
-    a.word = exists(group) ? proofs_.word(*group.orbit) : group.seen.word;
-    a.periods = exists(group) ? group.orbit->periods : group.seen.guess.periods;
-    a.orbit = group.orbit;
-    a.state = group.seen.once.front();
-    all.attractors.push_back(proofs_.completed(std::move(a)));
-    for (const std::size_t i : group.members) {
-      placed[i] = true;
-    }
-  }
-  std::map<Kind, Attractor> others;
-  for (std::size_t i = 0; i < followers_.size(); ++i) {
-    const AnyFollower& follower = *followers_[i];
-    all.simulated += follower.periods();
-    if (!placed[i] && !follower.is_followed(most_periods_)) {
-      continue;  // interrupted
-    }
-    ++all.followed;
-    if (placed[i]) {
-      continue;
-    }
-    const Kind kind = proofs_.kind(follower.kind());
-    Attractor& a = others[kind];
-    a.kind = kind;
-    a.state = a.count == 0 ? follower.state() : Eigen::VectorXd(a.state);
-    if (follower.lyapunov()) {
-      a.lyapunov = (a.lyapunov.value_or(0) * static_cast<double>(a.count) + *follower.lyapunov()) /
-                   static_cast<double>(a.count + 1);
-    }
-    a.members.push_back(i);
-    a.is_too_slow = a.is_too_slow || follower.is_too_slow();
-    ++a.count;
-  }
-  for (const auto& [kind, attractor] : others) {
-    all.attractors.push_back(attractor);
-  }
-  for (Attractor& a : all.attractors) {
-    const Interval interval = wilson(a.count, all.followed);
-    a.share = static_cast<double>(a.count) / static_cast<double>(all.followed);
-    a.least = interval.least;
-    a.most = interval.most;
-  }
-  std::ranges::stable_sort(all.attractors,
-                           [](const Attractor& a, const Attractor& b) { return a.count > b.count; });
-  return all;
-}
 
 }  // namespace stickslip::numeric::attractors

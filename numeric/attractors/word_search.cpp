@@ -37,34 +37,28 @@ bool is_of(const WordOrbit& orbit, const WordSearch& q) {
   return letters == q.word.letters();
 }
 
-// The motion over the n periods that follow, if it has events that make a word.
-std::optional<Return> next_periods(const Follower& follower, long n) {
-  const Return next = follower.over_periods(n);
-  return words::is_word(next.word) ? std::optional(next) : std::nullopt;
-}
-
 WordOrbits from_start(const WordSearch& q) {
   WordOrbits result{q, {}, {}};
   const auto data = motion::parameters_as<double>(q.machine.data);
   Follower follower(data, scalars::scalar<double>(q.machine.ur), *q.near);
-  const auto attempt = [&](const std::optional<Return>& seen) {
-    if (!seen || seen->word != q.word.letters()) {
+  const auto attempt = [&] {
+    const Return next = follower.over_periods(q.periods);
+    if (next.word != q.word.letters()) {
       return false;
     }
-    const WordOrbit orbit = prove_word_orbit(q.machine, seen->guess);
+    const WordOrbit orbit = prove_word_orbit(q.machine, next.guess);
     const bool found = orbit.existence.truth == Truth::proved && is_of(orbit, q);
     if (found) {
       result.orbits.push_back(orbit);
     }
     return found;
   };
-  const std::optional<Return> at_once = next_periods(follower, q.periods);
-  if (attempt(at_once)) {
+  if (attempt()) {
     return result;
   }
   follower.follow(most_periods, 1e-6);
   const std::optional<Return> settled = follower.returned();
-  if (settled && q.periods % settled->guess.periods == 0 && attempt(next_periods(follower, q.periods))) {
+  if (settled && q.periods % settled->guess.periods == 0 && attempt()) {
     return result;
   }
   result.interrupted = interrupted();

@@ -40,13 +40,10 @@ Node Link::response(const Node& F) const {
   return d;
 }
 
-Node midpoint(const Node& u) {
-  return zeros::midpoints(u);
-}
-
 Nodes midpoints(const Nodes& nodes) {
   Nodes result;
-  std::transform(nodes.begin(), nodes.end(), std::back_inserter(result), midpoint);
+  std::transform(nodes.begin(), nodes.end(), std::back_inserter(result),
+                 [](const Node& u) { return zeros::midpoints(u); });
   return result;
 }
 

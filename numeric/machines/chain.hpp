@@ -36,7 +36,6 @@ using Nodes = std::vector<Node>;
 using NodesInData = std::vector<InData<Matrix>>;
 
 // Exactly the middles of the balls.
-[[nodiscard]] Node midpoint(const Node& u);
 [[nodiscard]] Nodes midpoints(const Nodes& nodes);
 
 // The linearisation of a phase: a deviation d of its first node and a change F of its conditions go with

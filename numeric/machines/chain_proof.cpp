@@ -318,7 +318,7 @@ Approach approximate(Chains& chains, Nodes nodes, long bits) {
       return {{}, true};
     }
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      nodes[i] = midpoint(nodes[i] + found->deviations[i]);
+      nodes[i] = zeros::midpoints(nodes[i] + found->deviations[i]);
     }
     gain = fresh ? size : gain;
     // The step after this one is as much smaller, or as small as rounding allows.
@@ -446,8 +446,8 @@ std::optional<NodesInData> approximate_chains(const Chain& chain, const Chain& i
       Nodes g;
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         const Matrix& of_monomial = F[i].c[place];
-        g.push_back(midpoint(is_none(of_monomial) ? Node::Constant(middle[i].size(), Ball(0))
-                                                  : links[i].response(of_monomial)));
+        g.push_back(zeros::midpoints(is_none(of_monomial) ? Node::Constant(middle[i].size(), Ball(0))
+                                                          : links[i].response(of_monomial)));
       }
       const auto found = sweep(links, g);
       if (!found) {

@@ -122,9 +122,6 @@ struct InData {
   InData() = default;
   explicit InData(const M& constant) : c{constant} {}
 
-  // Those of the data.
-  [[nodiscard]] std::size_t data() const { return monomial(c.size() - 1).of.back(); }
-
   // The parts of each degree, for all s.
   [[nodiscard]] std::array<M, highest_degree + 1> degrees() const {
     std::array<M, highest_degree + 1> sums;

@@ -26,6 +26,9 @@ struct Piece {
   motion::PhaseKind kind = motion::PhaseKind::stick;
   int number = 0;
 
+  [[nodiscard]] static Piece sliding(int side, int number = 0) {
+    return {side > 0 ? motion::PhaseKind::slip : motion::PhaseKind::overshoot, number};
+  }
   [[nodiscard]] int side() const {
     return kind == motion::PhaseKind::slip ? 1 : (kind == motion::PhaseKind::overshoot ? -1 : 0);
   }

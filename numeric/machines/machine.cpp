@@ -5,26 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/decimal.hpp"
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {
 
 namespace {
 
-void require(bool holds, const std::string& name, const Rational& value, const std::string& range) {
-  if (!holds) {
-    throw DomainError(name, to_string(value), range);
-  }
-}
-
 void require_symmetric(const model::MatrixX<Rational>& A, std::size_t n, const char * name) {
   const auto size = static_cast<Eigen::Index>(n);
-  if (A.rows() != size || A.cols() != size) {
-    throw DomainError(name, fmt::format("a matrix of {} rows and {} columns", A.rows(), A.cols()),
-                      fmt::format("as many as masses, {}", n));
-  }
+  require(A.rows() == size && A.cols() == size, name,
+          fmt::format("a matrix of {} rows and {} columns", A.rows(), A.cols()),
+          fmt::format("as many as masses, {}", n));
   for (Eigen::Index i = 0; i < size; ++i) {
     for (Eigen::Index k = 0; k < i; ++k) {
       require(A(i, k) == A(k, i), fmt::format("{}({}, {})", name, i + 1, k + 1), A(i, k),
@@ -45,9 +37,8 @@ void require_law(const model::FrictionLaw<Rational>& law) {
   if (law.smooth) {
     require_smooth(*law.smooth);
   }
-  if (law.sliding.empty()) {
-    throw DomainError("the sliding friction", "nothing", "at least one piece, from relative velocity 0");
-  }
+  require(!law.sliding.empty(), "the sliding friction", "nothing",
+          "at least one piece, from relative velocity 0");
   require(law.sliding.front().from == 0, "the first relative velocity of the sliding friction",
           law.sliding.front().from, "0");
   for (std::size_t i = 0; i < law.sliding.size(); ++i) {
@@ -81,7 +72,7 @@ double scale_of(const model::FrictionOscillator<double>& o) {
   return stiffness > 0 ? std::sqrt(stiffness / o.masses[o.rubbing]) : 1;
 }
 
-MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
+attractors::StartBoxOf<Eigen::VectorXd> start_box(const model::FrictionOscillator<double>& o) {
   const auto n = static_cast<Eigen::Index>(o.size());
   const auto j = static_cast<Eigen::Index>(o.rubbing);
   const double m = o.masses[o.rubbing];
@@ -102,7 +93,7 @@ MachineStartBox start_box(const model::FrictionOscillator<double>& o) {
       s = std::max(s, std::hypot(load.cosine, load.sine) / (o.masses[load.mass] * Omega));
     }
   }
-  MachineStartBox box{Eigen::VectorXd::Zero(2 * n), Eigen::VectorXd::Zero(2 * n)};
+  attractors::StartBoxOf<Eigen::VectorXd> box{Eigen::VectorXd::Zero(2 * n), Eigen::VectorXd::Zero(2 * n)};
   box.middle.head(n) = zeros::least_squares(o.stiffness, forces);
   box.middle(n + j) = o.V - side * s;
   box.half.head(n).setConstant(2 * s / Omega);
@@ -153,23 +144,15 @@ model::FrictionLaw<Rational> smooth_law(const Rational& at_rest,
 
 void require_machine(const Machine& machine) {
   const model::FrictionOscillator<Rational>& o = machine.oscillator;
-  if (o.masses.empty()) {
-    throw DomainError("the machine", "without mass", "at least one mass");
-  }
+  require(!o.masses.empty(), "the machine", "without mass", "at least one mass");
   for (std::size_t i = 0; i < o.size(); ++i) {
     require(o.masses[i] > 0, fmt::format("mass {}", i + 1), o.masses[i], "> 0");
   }
   require_symmetric(o.damping, o.size(), "C");
   require_symmetric(o.stiffness, o.size(), "K");
-  if (o.rubbing >= o.size()) {
-    throw DomainError("the mass on the belt", fmt::format("{}", o.rubbing + 1),
-                      fmt::format("1 to {}", o.size()));
-  }
+  require(o.rubbing < o.size(), "the mass on the belt", o.rubbing + 1, fmt::format("1 to {}", o.size()));
   for (const model::HarmonicForce<Rational>& load : o.loads) {
-    if (load.mass >= o.size()) {
-      throw DomainError("the mass of a load", fmt::format("{}", load.mass + 1),
-                        fmt::format("1 to {}", o.size()));
-    }
+    require(load.mass < o.size(), "the mass of a load", load.mass + 1, fmt::format("1 to {}", o.size()));
     require(load.k >= 0, "the multiple of the load's frequency", load.k, ">= 0");
   }
   if (!o.is_autonomous()) {

@@ -3,6 +3,7 @@
 
 #include "core/rational.hpp"
 #include "model/friction_oscillator.hpp"
+#include "numeric/attractors/many_starts.hpp"
 #include "numeric/machine.hpp"
 #include "numeric/scalars/scalars.hpp"
 
@@ -34,10 +35,8 @@ template <class S>
 // The middle is the rest position under the constant loads and the friction at the belt's velocity, at rest
 // but for the mass that rubs; with Omega² = K_jj/m_j and s the largest of |V|, 3 u/(m_j Omega) and the loads'
 // amplitudes over their masses and Omega: 2 s/Omega for x, 1.5 s for x', x_j' about V - s.
-struct MachineStartBox {
-  Eigen::VectorXd middle, half;
-};
-[[nodiscard]] MachineStartBox start_box(const model::FrictionOscillator<double>& oscillator);
+[[nodiscard]] attractors::StartBoxOf<Eigen::VectorXd> start_box(
+    const model::FrictionOscillator<double>& oscillator);
 
 // The law with pieces near a smooth one: they meet it at so many points, with errors in between of one size.
 [[nodiscard]] model::FrictionLaw<Rational> smooth_law(const Rational& at_rest,

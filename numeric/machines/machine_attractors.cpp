@@ -16,7 +16,7 @@ namespace stickslip::numeric::machines {
 
 using attractors::Kind;
 using attractors::Return;
-using AnySimulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
+using simulation::AnySimulation;
 
 namespace {
 
@@ -66,10 +66,9 @@ struct MachineProofs {
 
 MachineAttractors find_attractors(const MachineStarts& question) {
   require_machine(question.machine);
-  const MachineStartBox box = start_box(oscillator_as<double>(question.machine));
   MachineAttractors result = find_attractors_from(
-      question, attractors::random_starts_in<Eigen::VectorXd>(
-                    {box.middle, box.half}, static_cast<std::size_t>(question.starts), question.seed));
+      question, attractors::random_starts_in(start_box(oscillator_as<double>(question.machine)),
+                                             static_cast<std::size_t>(question.starts), question.seed));
   if (question.machine.oscillator.is_autonomous()) {
     result.steady = steady_sliding(question.machine, question.digits);
   }
@@ -94,12 +93,8 @@ std::vector<Eigen::VectorXd> states_of(const Machine& machine, const MachineAttr
       return {a.state};
     }
     std::vector<Eigen::VectorXd> states;
-    motion::PhaseKind before = a.orbit->phases.back().piece.kind;
-    for (const MachinePhase& phase : a.orbit->phases) {
-      if (phase.piece.kind != before) {
-        states.push_back(zeros::in_double(phase.state));
-      }
-      before = phase.piece.kind;
+    for (const std::size_t i : begins_of_phases(a.orbit->pieces)) {
+      states.push_back(zeros::in_double(a.orbit->phases[i].state));
     }
     return states;
   }
@@ -134,7 +129,7 @@ double proved_share(const MachineBasins& basins) {
 MachineBasins in_plane(MachineBasins basins) {
   const Machine& machine = basins.question.machine;
   require_machine(machine);
-  MachineStartBox box = start_box(oscillator_as<double>(machine));
+  auto box = start_box(oscillator_as<double>(machine));
   for (std::size_t axis = 0; basins.half && axis < 2; ++axis) {
     box.half(basins.across[axis]) = (*basins.half)[axis];
   }

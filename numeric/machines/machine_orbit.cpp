@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "numeric/machines/judge.hpp"
 #include "numeric/words/word.hpp"
 #include "numeric/zeros/linear_solve.hpp"
@@ -20,18 +20,6 @@ namespace {
 constexpr long few_bits = 64;
 // How often an undecided condition or stability is looked at with four times the bits.
 constexpr int more_attempts = 2;
-
-std::vector<MachinePhase> phases_of(const Chain& chain, const Nodes& nodes,
-                                    const std::vector<Piece>& pieces) {
-  std::vector<MachinePhase> phases;
-  Ball start(0);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Ball duration = chain.duration(nodes, i);
-    phases.push_back({pieces[i], start, duration, chain.state(nodes, i)});
-    start += duration;
-  }
-  return phases;
-}
 
 // Without a load the durations are results: a node is mapped to the next without its own, which adds nothing
 // but a multiplier 0 to those of the chain. Of all machines between two the chain's map is the narrower.
@@ -72,36 +60,6 @@ void judge_all(MachineOrbit& orbit, const MachineQuestion& question, const Chain
                  orbit.phases[i].duration, w_at(i), w_at((i + 1) % count)});
   }
   orbit.admissible = admissible(orbit.conditions);
-}
-
-void decide(MachineOrbit& orbit, const MachineQuestion& question, const ChainProof& proof) {
-  const WorkingPrecision scope(proof.bits);
-  const Chain chain(question);
-  orbit.bits = proof.bits;
-  orbit.phases = phases_of(chain, proof.nodes, question.pieces);
-  orbit.period = Ball(0);
-  for (const MachinePhase& phase : orbit.phases) {
-    orbit.period += phase.duration;
-  }
-  orbit.load = Ball(0);
-  const model::FrictionOscillator<Ball>& o = chain.phases().oscillator();
-  if (!o.is_autonomous()) {
-    orbit.period = Ball(2 * question.periods) * Ball::pi() / o.omega;
-    orbit.load = o.omega * proof.nodes.front()(0);
-  }
-  const auto is_smooth = [&](const Piece& piece) { return chain.phases().is_smooth(piece); };
-  const auto is_undecided = [](const Condition& c) { return c.verdict.truth == Truth::undecided; };
-  const bool costly = std::ranges::any_of(question.pieces, is_smooth);
-  judge_all(orbit, question, proof, costly ? proof.bits : few_bits);
-  if (!costly && proof.bits > few_bits && std::ranges::any_of(orbit.conditions, is_undecided)) {
-    judge_all(orbit, question, proof, proof.bits);
-  }
-  if (orbit.admissible.truth == Truth::proved) {
-    const bool sticks = std::any_of(question.pieces.begin(), question.pieces.end(),
-                                    [](const Piece& piece) { return piece.kind == PhaseKind::stick; });
-    const auto map = return_map(chain, proof);
-    orbit.stability = map ? std::optional(stability_of(*map, sticks)) : std::nullopt;
-  }
 }
 
 }  // namespace
@@ -152,12 +110,47 @@ Nodes nodes_of(const MachineGuess& guess, const Machine& machine) {
 }
 
 MachineOrbit decided(const MachineQuestion& question, const ChainProof& proof) {
+  const WorkingPrecision scope(proof.bits);
+  const Chain chain(question);
   MachineOrbit orbit;
   orbit.pieces = question.pieces;
   orbit.periods = question.periods;
   orbit.existence = proof.verdict;
-  decide(orbit, question, proof);
+  orbit.bits = proof.bits;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Ball duration = chain.duration(proof.nodes, i);
+    orbit.phases.push_back({question.pieces[i], orbit.period, duration, chain.state(proof.nodes, i)});
+    orbit.period += duration;
+  }
+  const model::FrictionOscillator<Ball>& o = chain.phases().oscillator();
+  if (!o.is_autonomous()) {
+    orbit.period = Ball(2 * question.periods) * Ball::pi() / o.omega;
+    orbit.load = o.omega * proof.nodes.front()(0);
+  }
+  const auto is_smooth = [&](const Piece& piece) { return chain.phases().is_smooth(piece); };
+  const auto is_undecided = [](const Condition& c) { return c.verdict.truth == Truth::undecided; };
+  const auto is_stick = [](const Piece& piece) { return piece.kind == PhaseKind::stick; };
+  const bool costly = std::ranges::any_of(question.pieces, is_smooth);
+  judge_all(orbit, question, proof, costly ? proof.bits : few_bits);
+  if (!costly && proof.bits > few_bits && std::ranges::any_of(orbit.conditions, is_undecided)) {
+    judge_all(orbit, question, proof, proof.bits);
+  }
+  if (orbit.admissible.truth == Truth::proved) {
+    if (const auto map = return_map(chain, proof)) {
+      orbit.stability = stability_of(*map, std::ranges::any_of(question.pieces, is_stick));
+    }
+  }
   return orbit;
+}
+
+std::vector<std::size_t> begins_of_phases(const std::vector<Piece>& pieces) {
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (pieces[i].kind != pieces[(i + pieces.size() - 1) % pieces.size()].kind) {
+      begins.push_back(i);
+    }
+  }
+  return begins;
 }
 
 std::string word_of(const std::vector<Piece>& pieces, bool with_pieces) {
@@ -170,11 +163,8 @@ std::string word_of(const std::vector<Piece>& pieces, bool with_pieces) {
     return text;
   }
   std::string letters;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Piece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
-    if (before.kind != pieces[i].kind) {
-      letters += words::letter(pieces[i].kind);
-    }
+  for (const std::size_t i : begins_of_phases(pieces)) {
+    letters += words::letter(pieces[i].kind);
   }
   if (letters.empty() && !pieces.empty()) {  // it never leaves this phase
     letters = words::letter(pieces[0].kind);
@@ -211,10 +201,8 @@ std::pair<Verdict, long> prove_while_open(const MachineQuestion& question, const
 MachineOrbit prove_machine_orbit(const Machine& machine, const MachineGuess& guess, int digits,
                                  long most_bits) {
   require_machine(machine);
-  if (guess.events.size() < 2) {
-    throw DomainError("a guess of a periodic motion", fmt::format("{} events", guess.events.size()),
-                      "at least two");
-  }
+  require(guess.events.size() >= 2, "a guess of a periodic motion",
+          fmt::format("{} events", guess.events.size()), "at least two");
   const MachineQuestion question{machine, guess.pieces(), guess.periods};
   MachineOrbit orbit;
   orbit.pieces = question.pieces;

@@ -82,6 +82,8 @@ struct MachineOrbit {
   std::shared_ptr<const Neighbourhood> neighbourhood = nullptr;
 };
 
+// Where, going round, a phase begins and not only another piece of the one before.
+[[nodiscard]] std::vector<std::size_t> begins_of_phases(const std::vector<Piece>& pieces);
 // Letters of the phases, as in words/word.hpp, in the first rotation; pieces of one phase are one letter, or,
 // where `with_pieces` asks for it, S1, S2, … after each other.
 [[nodiscard]] std::string word_of(const std::vector<Piece>& pieces, bool with_pieces = false);

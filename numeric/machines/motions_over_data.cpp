@@ -14,8 +14,7 @@
 #include <span>
 #include <string>
 
-#include "core/decimal.hpp"
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
 
@@ -104,7 +103,6 @@ struct Part {
   std::size_t whole = none;             // the place of that of which it is a part
   double away = 0;                      // from a given motion
 
-  [[nodiscard]] Rational volume() const { return volume_of(half); }
   // s in it.
   [[nodiscard]] Values inside(const Values& values) const {
     Values s = values;
@@ -233,7 +231,7 @@ class Search {
         ++looked_at_;
         tried_[part.halvings].add(is_done, datum);
       }
-      width_ = is_done && part.volume() > volume_of(width_) ? part.half : width_;
+      width_ = is_done && volume_of(part.half) > volume_of(width_) ? part.half : width_;
       if (datum) {
         halve(part, *datum, all[i], halves);
       } else {
@@ -501,10 +499,9 @@ std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<Motion
   const std::size_t data = box.low.size();
   for (const MotionAt& motion : motions) {
     for (std::size_t k = 0; k < data; ++k) {
-      if (motion.values[k] < box.low[k] || motion.values[k] > box.high[k]) {
-        throw DomainError("a motion's datum", to_string(motion.values[k]),
-                          fmt::format("in the box, {} to {}", to_string(box.low[k]), to_string(box.high[k])));
-      }
+      require(motion.values[k] >= box.low[k] && motion.values[k] <= box.high[k], "a motion's datum",
+              motion.values[k],
+              fmt::format("in the box, {} to {}", to_string(box.low[k]), to_string(box.high[k])));
     }
   }
   for (const MotionAt& motion : motions) {

@@ -230,7 +230,7 @@ class Growth {
   bool ball(double radius) {
     const Return& returns = returns_.local();
     const auto set = returns(centre_, S_ * Ball(radius), true);
-    return set && contracts(derivative(returns, *set) * Ball(1 / Ball(radius)));
+    return set && contracts(of_z(returns, set->all.first) * Ball(1 / Ball(radius)));
   }
 
   // The same over the shell between the radii, by boxes of some size; how many, or nothing.
@@ -273,8 +273,9 @@ class Growth {
   }
 
  private:
-  [[nodiscard]] Matrix derivative(const Return& returns, const SetOfMotions& set) const {
-    return product(inverse_, returns.without_known(Matrix(set.all.first.bottomRows(centre_.size()))));
+  // Of z on return, of the derivative of u there.
+  [[nodiscard]] Matrix of_z(const Return& returns, const Matrix& of_u) const {
+    return product(inverse_, returns.without_known(Matrix(of_u.bottomRows(centre_.size()))));
   }
 
   // Nothing where the derivative contracts over the box; else which of its sides is best halved, that along
@@ -295,7 +296,7 @@ class Growth {
       return side;
     }
     const auto by_z = [&](const Matrix& by_e) {
-      Matrix D = product(inverse_, returns.without_known(Matrix(by_e.bottomRows(centre_.size()))));
+      Matrix D = of_z(returns, by_e);
       for (Eigen::Index k = 0; k < D.cols(); ++k) {
         D.col(k) /= Ball(box.half(k));
       }

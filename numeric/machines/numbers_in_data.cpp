@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "numeric/scalars/scalars.hpp"
 
 namespace stickslip::numeric::machines {
@@ -206,10 +206,8 @@ InData<Ball> NumbersInData::Quotient::over(const Values& middle, const Values& h
 NumbersInData::NumbersInData(const std::function<Machine(const Values&)>& at, const Values& low,
                              const Values& high) {
   const std::size_t data = low.size();
-  if (data == 0 || data > most_data) {
-    throw DomainError("the data of a box", fmt::format("{} of them", data),
-                      fmt::format("1 to {}", most_data));
-  }
+  require(data > 0 && data <= most_data, "the data of a box", fmt::format("{} of them", data),
+          fmt::format("1 to {}", most_data));
   for (std::size_t k = 0; k < data; ++k) {
     middle_.emplace_back((low[k] + high[k]) / 2);
     half_.emplace_back((high[k] - low[k]) / 2);

@@ -8,8 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "core/decimal.hpp"
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "core/parallel.hpp"
 #include "numeric/machines/planar_slip.hpp"
 #include "numeric/zeros/krawczyk.hpp"
@@ -30,40 +29,25 @@ using Box = zeros::Box<2>;  // x, and the time of a turn
 void require_planar(const Machine& machine) {
   require_machine(machine);
   const model::FrictionOscillator<Rational>& o = machine.oscillator;
-  if (o.size() != 1) {
-    throw DomainError("the number of masses", fmt::format("{}", o.size()),
-                      "1: the basin of steady sliding is proved for one mass without a load");
-  }
-  if (!o.loads.empty()) {
-    throw DomainError("the number of loads", fmt::format("{}", o.loads.size()),
-                      "0: the basin of steady sliding is proved for one mass without a load");
-  }
-  if (o.stiffness(0, 0) <= 0) {
-    throw DomainError("the stiffness", to_string(o.stiffness(0, 0)),
-                      "> 0: without a spring there is no steady sliding");
-  }
-  if (o.damping(0, 0) < 0) {
-    throw DomainError("the damping", to_string(o.damping(0, 0)), ">= 0");
-  }
+  require(o.size() == 1, "the number of masses", o.size(),
+          "1: the basin of steady sliding is proved for one mass without a load");
+  require(o.loads.empty(), "the number of loads", o.loads.size(),
+          "0: the basin of steady sliding is proved for one mass without a load");
+  require(o.stiffness(0, 0) > 0, "the stiffness", o.stiffness(0, 0),
+          "> 0: without a spring there is no steady sliding");
+  require(o.damping(0, 0) >= 0, "the damping", o.damping(0, 0), ">= 0");
   const std::optional<model::SmoothFriction<Rational>>& law = o.law(o.V < 0 ? -1 : 1).smooth;
-  if (!law) {
-    throw DomainError("the sliding friction", "in pieces",
-                      "a smooth law: the basin of steady sliding is proved for those alone");
-  }
-  if (law->first <= law->last) {
-    throw DomainError("the sliding friction at 0", to_string(law->first),
-                      fmt::format("> {}, to which it falls", to_string(law->last)));
-  }
+  require(law.has_value(), "the sliding friction", "in pieces",
+          "a smooth law: the basin of steady sliding is proved for those alone");
+  require(law->first > law->last, "the sliding friction at 0", law->first,
+          fmt::format("> {}, to which it falls", to_string(law->last)));
 }
 
 void require_rectangle(const Rectangle& r) {
-  if (r.x_from >= r.x_to) {
-    throw DomainError("the starts' positions", to_string(r.x_from) + ".." + to_string(r.x_to), "A..B, A < B");
-  }
-  if (r.y_from >= r.y_to) {
-    throw DomainError("the starts' velocities", to_string(r.y_from) + ".." + to_string(r.y_to),
-                      "A..B, A < B");
-  }
+  require(r.x_from < r.x_to, "the starts' positions", to_string(r.x_from) + ".." + to_string(r.x_to),
+          "A..B, A < B");
+  require(r.y_from < r.y_to, "the starts' velocities", to_string(r.y_from) + ".." + to_string(r.y_to),
+          "A..B, A < B");
 }
 
 // Seen in a mirror where the belt runs backwards: then it is the slip in which the belt is the faster one.

@@ -130,7 +130,7 @@ Ball value(const SmoothPhase::Step& step, Eigen::Index row, int derivative, cons
 
 PlanarSlip::PlanarSlip(const Machine& machine)
     : machine_(machine), phases_(oscillator_as<Ball>(machine)), law_(*phases_.oscillator().forward.smooth) {
-  (void)phases_.drift({motion::PhaseKind::slip, 0});  // kept with the bits of now
+  (void)phases_.drift(Piece::sliding(1));  // kept with the bits of now
 }
 
 Verdict PlanarSlip::steady_sliding_is_stable() const {

@@ -10,26 +10,6 @@
 
 namespace stickslip::numeric::machines {
 
-class Reaching {
- public:
-  // At the working precision; those that are not proved are reached by none.
-  Reaching(const Machine& machine, std::vector<std::shared_ptr<const Neighbourhood>> all);
-
-  // That which all motions from middle + S e at load phase 0, |e_k| <= 1, are proved to reach within so many
-  // periods of the load, or of the orbits; nothing if they are not.
-  [[nodiscard]] std::optional<std::size_t> operator()(const Vector& middle, const Matrix& S,
-                                                      long most_periods = 30);
-
- private:
-  [[nodiscard]] std::optional<std::size_t> in_periods(SetOfMotions set, long most_periods);
-  [[nodiscard]] std::optional<std::size_t> at_events(SetOfMotions set, long most_periods) const;
-
-  SetFlow flow_;
-  simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic> simulation_;
-  bool autonomous_;
-  std::vector<std::shared_ptr<const Neighbourhood>> all_;
-};
-
 // Pixels of a plane: `starts` are their middles, row by row, at load phase 0; in two of the coordinates they
 // are so wide to each side.
 struct Pixels {

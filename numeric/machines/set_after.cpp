@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
 #include "numeric/words/word.hpp"
@@ -115,17 +115,12 @@ Vector SetAfter::hull() const {
 SetAfter set_after(const SetAfterQuestion& q) {
   require_machine(q.machine);
   const auto states = static_cast<Eigen::Index>(2 * q.machine.oscillator.size());
-  if (q.middle.size() != states || q.half.size() != states) {
-    throw DomainError("the box of starts", fmt::format("{} and {} numbers", q.middle.size(), q.half.size()),
-                      fmt::format("{} each, positions and velocities", states));
-  }
-  if (!(q.half.minCoeff() >= 0) || !(q.half.maxCoeff() > 0)) {
-    throw DomainError("a half width of the box of starts", fmt::format("{}", q.half.minCoeff()),
-                      "0 or more, and one above");
-  }
-  if (!(q.time > 0) || !std::isfinite(q.time)) {
-    throw DomainError("the time", fmt::format("{}", q.time), "above 0");
-  }
+  require(q.middle.size() == states && q.half.size() == states, "the box of starts",
+          fmt::format("{} and {} numbers", q.middle.size(), q.half.size()),
+          fmt::format("{} each, positions and velocities", states));
+  require(q.half.minCoeff() >= 0 && q.half.maxCoeff() > 0, "a half width of the box of starts",
+          q.half.minCoeff(), "0 or more, and one above");
+  require(q.time > 0 && std::isfinite(q.time), "the time", q.time, "above 0");
   const WorkingPrecision scope(bits_of_sets);
   SetAfter result{q, {}, {}, false};
   tbb::enumerable_thread_specific<SetFlow> flows([&] { return SetFlow(q.machine); });

@@ -223,7 +223,7 @@ std::optional<Piece> SetFlow::piece_of(const Vector& states, const Ball& time) c
   }
   const int side = relative.is_positive() ? 1 : -1;
   const model::FrictionLaw<Ball>& law = o.law(side);
-  Piece piece{side > 0 ? PhaseKind::slip : PhaseKind::overshoot, 0};
+  Piece piece = Piece::sliding(side);
   for (std::size_t k = 1; k < law.pieces(); ++k) {
     const Ball above = Ball(side) * relative - law.sliding[k].from;
     if (above.is_positive()) {
@@ -388,7 +388,7 @@ std::vector<MachineGuess::Event> SetFlow::events(const SetOfMotions& set, double
   const double begin = set.time().approximate();
   const Vector X = set.middle.value.tail(set.middle.value.size() - 1);
   simulation_.restart(in_double_.omega * begin, in_double(X));
-  std::vector<Simulation::Transition> log;
+  std::vector<simulation::AnySimulation::Transition> log;
   simulation_.advance(duration, &log);
   return events_of(in_double_, log, -begin);
 }

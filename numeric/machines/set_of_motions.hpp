@@ -88,9 +88,8 @@ class SetFlow {
   Machine machine_;
   LinearPhases phases_;
   Vector units_;  // of u: in the time one goes as far as motions do, as fast as they do, and those of w
-  using Simulation = simulation::SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
   model::FrictionOscillator<double> in_double_;
-  mutable Simulation simulation_;
+  mutable simulation::AnySimulation simulation_;
 };
 
 }  // namespace stickslip::numeric::machines

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "numeric/words/word.hpp"
 
 namespace stickslip::numeric::machines {
@@ -23,15 +23,10 @@ constexpr double same_state = 1e-6;
 
 // Begun at the first rotation of its word.
 MachineGuess rotated(const MachineGuess& guess) {
-  const std::size_t count = guess.events.size();
-  const auto kind = [&](std::size_t i) { return guess.events[i % count].begins.kind; };
+  const std::vector<std::size_t> begins = begins_of_phases(guess.pieces());
   std::string letters;
-  std::vector<std::size_t> begins;  // of each letter
-  for (std::size_t i = 0; i < count; ++i) {
-    if (kind(i) != kind(i + count - 1)) {
-      letters += words::letter(kind(i));
-      begins.push_back(i);
-    }
+  for (const std::size_t i : begins) {
+    letters += words::letter(guess.events[i].begins.kind);
   }
   return begins.empty() ? guess : guess.begun_at(begins[words::first_rotation(letters)]);
 }
@@ -60,10 +55,8 @@ Followers followers_of(const Machine& machine, const std::vector<Eigen::VectorXd
   require_machine(machine);
   const auto size = static_cast<Eigen::Index>(2 * machine.oscillator.size());
   for (const Eigen::VectorXd& X : starts) {
-    if (X.size() != size) {
-      throw DomainError("the state", fmt::format("{} numbers", X.size()),
-                        fmt::format("{}, positions and velocities", size));
-    }
+    require(X.size() == size, "the state", fmt::format("{} numbers", X.size()),
+            fmt::format("{}, positions and velocities", size));
   }
   if (starts.empty()) {
     return {};

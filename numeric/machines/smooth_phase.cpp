@@ -94,16 +94,12 @@ InData<Ball> folded(const std::vector<InData<Ball>>& a, const std::vector<InData
   return sum;
 }
 
-Piece piece_of(int side) {
-  return {side > 0 ? motion::PhaseKind::slip : motion::PhaseKind::overshoot, 0};
-}
-
 template <class S>
 model::MatrixX<S> drift_of(const LinearPhases& phases, int side) {
   if constexpr (std::is_same_v<S, Ball>) {
-    return phases.drift(piece_of(side));
+    return phases.drift(Piece::sliding(side));
   } else {
-    return entries(phases.drift_in_data(piece_of(side)));
+    return entries(phases.drift_in_data(Piece::sliding(side)));
   }
 }
 
@@ -140,7 +136,7 @@ SmoothPhaseOf<S>::SmoothPhaseOf(const LinearPhases& phases, int side, const Colu
       with_derivative_(with_derivative),
       states_(2 * phases.masses()),
       speed_(phases.speed_row()),
-      balance_(balance(phases.drift(piece_of(side)))),
+      balance_(balance(phases.drift(Piece::sliding(side)))),
       balance_in_double_(zeros::in_double(balance_)),
       T_(T),
       quantum_(
@@ -263,7 +259,7 @@ double SmoothPhaseOf<S>::likely_length(const Series& series) const {
 // |D - I| <= exp(nu length) - 1 in the balanced norm of row sums, nu that of the equation for D' on the box.
 template <class S>
 auto SmoothPhaseOf<S>::derivative_box(const Column& w, double length) const -> Square {
-  Matrix A = phases_.drift(piece_of(side_)).topLeftCorner(states_, states_);
+  Matrix A = phases_.drift(Piece::sliding(side_)).topLeftCorner(states_, states_);
   A(speed_, speed_) -= over_all(pushed<S>(phases_, 1, law_.slope(relative_velocity(phases_, side_, w))));
   for (Eigen::Index i = 0; i < states_; ++i) {
     for (Eigen::Index k = 0; k < states_; ++k) {
@@ -280,9 +276,8 @@ auto SmoothPhaseOf<S>::derivative_box(const Column& w, double length) const -> S
   return constant<S>(D);
 }
 
-// The next coefficient over all of a step from there, which has those before it.
 template <class S>
-auto SmoothPhaseOf<S>::over(const Series& here, double length) const -> std::optional<Last> {
+auto SmoothPhaseOf<S>::over(const Series& here, double length) const -> std::optional<Series> {
   constexpr double room = 0x1p-20;
   const WorkingPrecision scope(box_bits);
   const Ball all = Ball::hull(Ball(0), Ball(length));
@@ -305,7 +300,7 @@ auto SmoothPhaseOf<S>::over(const Series& here, double length) const -> std::opt
       return std::nullopt;
     }
   }
-  return Last{last.w.back(), with_derivative_ ? last.derivative.back() : Square()};
+  return last;
 }
 
 template <class S>
@@ -323,17 +318,17 @@ auto SmoothPhaseOf<S>::step(const Column& w, double start, double longest) const
   double length = std::min(likely_length(here), longest);
   for (int attempt = 0; attempt <= most_attempts; ++attempt, length *= shorter) {
     length = std::floor(length / quantum_) * quantum_;
-    const std::optional<Last> last = length > 0 ? over(here, length * longer) : std::nullopt;
+    const std::optional<Series> last = length > 0 ? over(here, length * longer) : std::nullopt;
     if (!last) {
       continue;
     }
     const double power = std::pow(length, static_cast<double>(order));
-    const bool small = size(last->w) * power <= below * size(w) &&
-                       (!with_derivative_ || size(last->derivative) * power <= below);
+    const bool small = size(last->w.back()) * power <= below * size(w) &&
+                       (!with_derivative_ || size(last->derivative.back()) * power <= below);
     if (small || attempt == most_attempts) {
-      here.w.push_back(last->w);
+      here.w.push_back(last->w.back());
       if (with_derivative_) {
-        here.derivative.push_back(last->derivative);
+        here.derivative.push_back(last->derivative.back());
       }
       return Step{start, length, here.w, here.derivative};
     }

@@ -54,15 +54,12 @@ class SmoothPhaseOf {
     std::vector<Column> w;
     std::vector<Square> derivative;
   };
-  struct Last {
-    Column w;
-    Square derivative;
-  };
   void follow(const Column& w);
   [[nodiscard]] std::optional<Step> step(const Column& w, double start, double longest) const;
   // The coefficients of orders 0 to `order`.
   [[nodiscard]] Series series(const Column& w, const Square& derivative, std::size_t order) const;
-  [[nodiscard]] std::optional<Last> over(const Series& here, double length) const;
+  // Over all of a step from there: the last coefficient is the one after those.
+  [[nodiscard]] std::optional<Series> over(const Series& here, double length) const;
   [[nodiscard]] Square derivative_box(const Column& w, double length) const;
   [[nodiscard]] double likely_length(const Series& series) const;
   [[nodiscard]] double size(const Column& w) const;

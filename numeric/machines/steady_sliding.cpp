@@ -97,7 +97,7 @@ SteadySliding steady_sliding(const Machine& machine, int digits) {
   const int side = exact.V > 0 ? 1 : -1;
   const Rational velocity = abs(exact.V);
   const Friction friction = friction_at(exact.law(side), o.law(side), velocity);
-  state.piece = {side > 0 ? PhaseKind::slip : PhaseKind::overshoot, friction.piece};
+  state.piece = Piece::sliding(side, friction.piece);
   state.friction = friction.force;
   Vector forces = Vector::Constant(n, Ball(0));
   for (const model::HarmonicForce<Ball>& load : o.loads) {

@@ -2,19 +2,9 @@
 
 #include <cmath>
 
-#include "core/decimal.hpp"
-#include "core/error.hpp"
+#include "core/domain.hpp"
 
 namespace stickslip::numeric::motion {
-namespace {
-
-void require(bool holds, const char * name, const Rational& value, const char * range) {
-  if (!holds) {
-    throw DomainError(name, stickslip::to_string(value), range);
-  }
-}
-
-}  // namespace
 
 ExactParameters parse_parameters(const char * chi, const char * eta, const char * us, const char * V,
                                  const char * omega, const char * p) {

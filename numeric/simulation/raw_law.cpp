@@ -15,7 +15,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 
 namespace stickslip::numeric::simulation {
 
@@ -26,6 +26,7 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using State = std::array<double, 4>;  // (x1, x2, x1', x2')
 
+constexpr double tolerance = 1e-12;
 constexpr double first_step = 1e-3;
 constexpr long most_steps = 10000000;
 
@@ -131,7 +132,7 @@ struct Law {
 
 class Integrator {
  public:
-  Integrator(const Start& start, double tolerance)
+  explicit Integrator(const Start& start)
       : law_{start, PhaseKind::slip},
         stepper_(odeint::make_dense_output(tolerance, tolerance, odeint::runge_kutta_dopri5<State>())) {
     const State x{start.X(0), start.X(1), start.X(2), start.X(3)};
@@ -224,12 +225,10 @@ class Integrator {
 
 }  // namespace
 
-Run follow_raw_law(const Start& start, double duration, double tolerance) {
-  if (!(duration > 0) || !std::isfinite(duration)) {
-    throw DomainError("the duration", fmt::format("{}", duration), "a finite number > 0");
-  }
+Run follow_raw_law(const Start& start, double duration) {
+  require(duration > 0 && std::isfinite(duration), "the duration", duration, "a finite number > 0");
   try {
-    return Integrator(start, tolerance).run(duration);
+    return Integrator(start).run(duration);
   } catch (const odeint::odeint_error& error) {
     throw InternalError(fmt::format("Boost.Odeint gave up: {}", error.what()));
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "model/parameters.hpp"
 #include "numeric/simulation/simulation.hpp"
 
@@ -31,13 +31,11 @@ void add_event(auto& record, const auto& event) {
 }
 
 void require_plan(const RecordPlan& plan) {
-  if (!(plan.duration > 0) || !std::isfinite(plan.duration)) {
-    throw DomainError("the duration", fmt::format("{}", plan.duration), "a finite number > 0");
-  }
-  if (plan.every && (!(*plan.every > 0) || !(plan.duration / *plan.every <= most_samples))) {
-    throw DomainError("every", fmt::format("{}", *plan.every),
-                      fmt::format("every > 0, at most {:.0g} samples", most_samples));
-  }
+  require(plan.duration > 0 && std::isfinite(plan.duration), "the duration", plan.duration,
+          "a finite number > 0");
+  const double every = plan.every.value_or(plan.duration);
+  require(every > 0 && plan.duration / every <= most_samples, "every", every,
+          fmt::format("every > 0, at most {:.0g} samples", most_samples));
 }
 
 // The record but for what it starts from; `energy` of a state.
@@ -91,9 +89,7 @@ void follow(Simulation& simulation, Record& record, const RecordPlan& plan, cons
 
 Record record_motion(const Start& start, const RecordPlan& plan, const std::function<bool(double)>& go_on,
                      const std::function<void(const Sample&)>& take) {
-  if (start.ur <= start.data.us) {
-    throw DomainError("ur", fmt::format("{}", start.ur), fmt::format("ur > us = {}", start.data.us));
-  }
+  require(!(start.ur <= start.data.us), "ur", start.ur, fmt::format("ur > us = {}", start.data.us));
   Simulation simulation(start.data, start.ur, start.phi, start.X);
   Record record;
   record.start = start;
@@ -110,7 +106,7 @@ RecordOf<AnyState> record_motion(const model::FrictionOscillator<double>& oscill
                                  const AnyState& X, const RecordPlan& plan,
                                  const std::function<bool(double)>& go_on,
                                  const std::function<void(const SampleOf<AnyState>&)>& take) {
-  SimulationOf<Eigen::Dynamic, Eigen::Dynamic> simulation(oscillator, phi, X);
+  AnySimulation simulation(oscillator, phi, X);
   RecordOf<AnyState> record;
   follow(
       simulation, record, plan,

@@ -1,12 +1,10 @@
 #include "numeric/simulation/simulation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "core/sinc.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
@@ -33,16 +31,6 @@ constexpr double shortest_hold = 1e-9;
 constexpr double units = 8 * 0x1p-53;
 // Terms of a Taylor polynomial below this part of it are left out, as those beyond its order are.
 constexpr double least_term = 1e-17;
-
-int side_of(double r) {
-  return r > 0 ? 1 : -1;
-}
-
-void require(bool holds, const char * name, double value, const char * range) {
-  if (!holds) {
-    throw DomainError(name, fmt::format("{}", value), range);
-  }
-}
 
 const model::Parameters<double>& in_domain(const model::Parameters<double>& a, double ur, double phi,
                                            const Vector4<double>& X) {
@@ -355,9 +343,7 @@ void SimulationOf<N, L>::passed(double part) {
 
 template <int N, int L>
 double SimulationOf<N, L>::advance(double duration, std::vector<Transition> * log, long most_steps) {
-  if (!(duration >= 0) || !std::isfinite(duration)) {
-    throw DomainError("the duration", fmt::format("{}", duration), "a finite number >= 0");
-  }
+  require(duration >= 0 && std::isfinite(duration), "the duration", duration, "a finite number >= 0");
   left_ = duration;
   steps_ = most_steps;
   normalise();
@@ -416,7 +402,7 @@ typename SimulationOf<N, L>::Outcome SimulationOf<N, L>::step() {
     Cubic g = affine(f, guard.sign, guard.offset);
     const int zero_order = zeros(g, rounding, guard.begins, exit_slope_ * piece.step);
     const bool is_free = zero_order == 0
-                             ? bounds(g, 1)[0] > 0
+                             ? least(g, 1) > 0
                              : zero_order > 0 && !(positive_until(lower_bound(g, zero_order), 1, 0) < 1);
     if (!is_free) {
       return part_of_step(part, rounding);
@@ -466,7 +452,7 @@ std::pair<double, bool> SimulationOf<N, L>::free_part(const Guard& guard, double
     if (zero_order < 0) {
       return {from, true};
     }
-    if (zero_order == 0 && bounds(g, part - from)[0] > 0) {
+    if (zero_order == 0 && least(g, part - from) > 0) {
       return {part, false};
     }
     const double free =
@@ -543,7 +529,7 @@ bool SimulationOf<N, L>::leaves(int side, double r) const {
 template <int N, int L>
 void SimulationOf<N, L>::leave_or_stick(double r, std::vector<Transition> * log) {
   const Piece& before = pieces_[now_];
-  const int side = side_of(r);
+  const int side = r > 0 ? 1 : -1;
   standstill_ = age_ < instant ? standstill_ + 1 : 0;
   const bool reaches = std::abs(r) >= bound(side);
   const bool slips = reaches && leaves(side, r) && standstill_ < most_at_once;

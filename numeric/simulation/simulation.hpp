@@ -141,6 +141,7 @@ class SimulationOf {
 
 extern template class SimulationOf<2, 1>;
 extern template class SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
+using AnySimulation = SimulationOf<Eigen::Dynamic, Eigen::Dynamic>;
 
 // Of the paper's oscillator, (2) and (4).
 class Simulation : public SimulationOf<2, 1> {

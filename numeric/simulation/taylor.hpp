@@ -47,17 +47,15 @@ struct Cubic {
   return result;
 }
 
-// Bounds on [0, h]: the least and the greatest Bernstein coefficient of the cubic, moved apart by the rest.
-[[nodiscard]] inline std::array<double, 2> bounds(const Cubic& g, double h) {
+// A lower bound on [0, h]: the least Bernstein coefficient of the cubic, less the rest.
+[[nodiscard]] inline double least(const Cubic& g, double h) {
   const double b0 = g.c[0];
   const double d1 = g.c[1] * h / 3;
   const double d2 = g.c[2] * h * h / 3;
   const double b1 = b0 + d1;
   const double b2 = b1 + d1 + d2;
   const double b3 = b0 + 3 * (d1 + d2) + g.c[3] * h * h * h;
-  const double h4 = h * h * h * h;
-  return {std::min(std::min(b0, b1), std::min(b2, b3)) - g.rest * h4,
-          std::max(std::max(b0, b1), std::max(b2, b3)) + g.rest * h4};
+  return std::min(std::min(b0, b1), std::min(b2, b3)) - g.rest * (h * h * h * h);
 }
 
 // A polynomial k0 + k1 t + … + k4 t⁴ whose second derivative is concave: its minimum is at an end.

@@ -1,13 +1,11 @@
 #include "numeric/words/word_orbit.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/domain.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/machines/machine_orbit.hpp"
 
@@ -131,9 +129,7 @@ namespace {
 
 void require_friction(const WordQuestion& question) {
   const Rational& us = question.data.us;
-  if (question.ur <= us) {
-    throw DomainError("ur", stickslip::to_string(question.ur), "ur > us = " + stickslip::to_string(us));
-  }
+  require(question.ur > us, "ur", question.ur, "ur > us = " + stickslip::to_string(us));
 }
 
 }  // namespace
@@ -151,10 +147,8 @@ void require_word_domain(const WordQuestion& question) {
 void require_simulated_domain(const WordQuestion& question) {
   require_model_domain(question.data);
   require_friction(question);
-  if (question.data.p == 0) {
-    throw DomainError("p", "0",
-                      "p > 0: without load each shift in time of an orbit is an orbit, so none is alone");
-  }
+  require(question.data.p != 0, "p", "0",
+          "p > 0: without load each shift in time of an orbit is an orbit, so none is alone");
 }
 
 bool in_word_domain(const WordQuestion& question) {
