@@ -17,7 +17,7 @@ constexpr long bits = 256;
 std::string brief(const Rational& value) {
   constexpr std::size_t most = 40;
   const std::string text = to_string(value);
-  return text.size() <= most ? text : text.substr(0, most) + "...";
+  return text.size() <= most ? text : fmt::format("{}...", std::string_view(text).substr(0, most));
 }
 
 // Powers of ten that no machine needs, within which everything is representable.
