@@ -312,7 +312,7 @@ std::vector<Joint> joints_of(const MachineBranchQuestion& q, const std::vector<M
     }
   }
   const auto found = parallel_map(runs.size(), [&](std::size_t r) {
-    const auto [first, last] = runs[r];
+    const std::size_t first = runs[r].first, last = runs[r].last;
     const MachineSample& a = samples[first];
     const auto all = [&](const char * why) {
       const auto verdict = Verdict::undecided(why);
