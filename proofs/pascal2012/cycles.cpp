@@ -42,8 +42,7 @@ Proof exists(const std::string& example) {
 // The first on a moving belt of which every condition is proved.
 const Orbit& orbit_on_moving_belt() {
   const std::vector<Orbit>& all = orbits_of(on_a_moving_belt()).list.orbits;
-  const auto found =
-      std::ranges::find_if(all, [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; });
+  const auto found = std::ranges::find_if(all, is_admissible);
   if (found == all.end()) {
     throw kernel::KernelError("no orbit on a moving belt is proved at the data");
   }

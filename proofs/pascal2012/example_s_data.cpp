@@ -106,7 +106,7 @@ std::string of_the_other_phase() {
   std::vector<std::string> other;
   std::size_t admissible = 0;
   for (const Orbit& orbit : orbits_of(printed()).list.orbits) {
-    if (orbit.admissible.truth == Truth::proved) {
+    if (is_admissible(orbit)) {
       ++admissible;
       if (has_the_other_phase(orbit)) {
         other.push_back(told_apart(orbit, *printed().family));
@@ -131,9 +131,8 @@ Outcome lag(Prover&, const Claim&) {
 Outcome lag_is_no_consequence(Prover&, const Claim&) {
   Outcome outcome = at_the_data(printed(), "an orbit that has another phase, as a theorem");
   const std::vector<Orbit>& all = orbits_of(printed()).list.orbits;
-  const auto other = std::ranges::find_if(all, [](const Orbit& orbit) {
-    return orbit.admissible.truth == Truth::proved && has_the_other_phase(orbit);
-  });
+  const auto other = std::ranges::find_if(
+      all, [](const Orbit& orbit) { return is_admissible(orbit) && has_the_other_phase(orbit); });
   if (other == all.end()) {
     outcome.verdict = Verdict::undecided("no orbit with another phase is proved at the data");
     return outcome;

@@ -26,12 +26,10 @@ namespace stickslip::proofs::pascal2012 {
 // An outcome at the example's data: its parameters, and phi and u_r where they are given.
 [[nodiscard]] methods::Outcome at_the_data(const methods::Example& example, const std::string& route);
 
-// What the claims about an example share.
-struct PrintedPlace {
-  const methods::Example& example;
-  std::string orbit;  // the id of the claim that the orbit exists
-  std::string route;  // how its values were found
-};
+// "S.orbit": the id of the claim that the orbit exists. Claims refer to examples, which have to outlive them.
+[[nodiscard]] std::string orbit_claim(const methods::Example& example);
+// The same outcome, which rests on that.
+[[nodiscard]] methods::Outcome of_its_orbit(const methods::Example& example, const std::string& route);
 
 // Data and u_r.
 [[nodiscard]] std::vector<Coordinate> coordinates(const numeric::motion::ExactParameters& a,
@@ -46,11 +44,13 @@ void prove(methods::Outcome& outcome, const std::function<kernel::Theorem()>& th
 // Makes of what was decided in balls a theorem: what `theorem` makes of the orbit's existence, if that is
 // proved; undecided, with the reason, where it makes none.
 void prove_of_orbit(
-    methods::Outcome& outcome, methods::Prover& prover, const PrintedPlace& where,
+    methods::Outcome& outcome, methods::Prover& prover, const methods::Example& example,
     const std::function<kernel::Theorem(const kernel::Theorem& orbit, const orbits::Question&)>& theorem);
 
-// "S.tau", …: the printed results of these names, each against the value of the orbit that is proved.
-[[nodiscard]] std::vector<methods::Claim> printed_values(const PrintedPlace& where,
+// "S.tau", …: the printed results of these names, each against the value of the orbit that is proved; the
+// route says how that was found.
+[[nodiscard]] std::vector<methods::Claim> printed_values(const methods::Example& example,
+                                                         const std::string& route,
                                                          const std::vector<std::string>& names);
 
 // "-0.0016, 0.0021, …": midpoints of balls that are far smaller than their last digit.
