@@ -39,29 +39,28 @@ Term difference(const Formula& equation) {
 Theorem differs(Derivation& derivation, const Formula& formula) {
   const Formula& same = formula.parts()[0];
   const Term gap = same.parts()[1] == Term(0) ? same.parts()[0] : difference(same);
-  for (const bool turned : {false, true}) {
-    try {
-      const Theorem positive = derivation.positive(turned ? -gap : gap);
-      const Theorem nonzero = tactics::different(
-          turned ? derivation.order(less(gap, 0), {kernel::Positive{{positive}}}) : positive);
-      const Theorem zero = Theorem::combination(equal(gap, 0), {{Theorem::assume(same)}});
-      return derivation.without_divisors(
-          Theorem::consequence({Theorem::discharge(zero, same), nonzero}, formula));
-    } catch (const KernelError&) {
-      continue;
-    }
+  const auto by_sign = tactics::first_that_works(std::array{false, true}, [&](bool turned) {
+    const Theorem positive = derivation.positive(turned ? -gap : gap);
+    const Theorem nonzero = tactics::different(
+        turned ? derivation.order(less(gap, 0), {kernel::Positive{{positive}}}) : positive);
+    const Theorem zero = Theorem::combination(equal(gap, 0), {{Theorem::assume(same)}});
+    return derivation.without_divisors(
+        Theorem::consequence({Theorem::discharge(zero, same), nonzero}, formula));
+  });
+  if (!by_sign) {
+    throw KernelError("the sign of the difference is not known");
   }
-  throw KernelError("the sign of the difference is not known");
+  return *by_sign;
 }
 
 // a ≤ b, where b - a is a square times what is positive.
 Theorem by_product(Derivation& derivation, const Formula& formula) {
-  return derivation.order(formula, {not_negative(derivation, formula.parts()[1] - formula.parts()[0])});
+  return derivation.order(formula, {not_negative(derivation, gap_of(formula))});
 }
 
 // a ≤ b or a < b, where b - a is a polynomial of degree two that is a sum of squares and of a constant.
 Theorem by_squares(Derivation& derivation, const Formula& formula) {
-  const Term gap = formula.parts()[1] - formula.parts()[0], opened = unfold(gap, derivation.open({gap}));
+  const Term gap = gap_of(formula), opened = unfold(gap, derivation.open({gap}));
   const tactics::Letters letters({opened});
   const PolynomialRing& ring = letters.ring();
   auto [rest, below] = letters.fraction(opened);

@@ -1,6 +1,7 @@
 #include "proofs/methods/derivation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -28,6 +29,10 @@ bool is_inequality(const Formula& formula) {
   return formula.kind() == kernel::Kind::less || formula.kind() == kernel::Kind::at_most;
 }
 
+Term gap_of(const Formula& relation) {
+  return relation.parts()[1] - relation.parts()[0];
+}
+
 namespace {
 
 // About the number of symbols that it takes to write the term down with these definitions opened.
@@ -42,15 +47,8 @@ std::size_t opened_size(const Term& term, const Definitions& definitions) {
 constexpr std::size_t longest_looked_into = 30000, longest_of_inequalities = 400;
 
 bool is_zero(const Term& number) {
-  try {
-    if (seems_zero({number}, {})) {
-      static_cast<void>(Theorem::combination(equal(number, 0)));
-      return true;
-    }
-    return false;
-  } catch (const KernelError&) {
-    return false;
-  }
+  const auto seems = attempt([&] { return seems_zero({number}, {}); });
+  return seems.value_or(false) && attempt([&] { return Theorem::combination(equal(number, 0)); });
 }
 
 }  // namespace
@@ -98,7 +96,7 @@ Derivation::Derivation(Prover& prover, const Claim& claim) : prover_(prover), cl
   }
   for (const Theorem& known : known_) {
     if (known.conclusion().kind() == kernel::Kind::less) {
-      const Term gap = known.conclusion().parts()[1] - known.conclusion().parts()[0];
+      const Term gap = gap_of(known.conclusion());
       if (opened_size(gap, openings({known.conclusion()}).in_parameters()) < longest_of_inequalities) {
         know(different(Theorem::order(less(0, gap), {Positive{{known}}})));
       }
@@ -246,10 +244,9 @@ Theorem Derivation::settled(Theorem theorem) {
         (is_divisor(one) && supplier == supplied_.end())) {
       continue;
     }
-    try {
-      theorem = Theorem::cut(supplier != supplied_.end() ? settled(*supplier) : follows(one), theorem);
-    } catch (const KernelError&) {
-      continue;
+    if (const auto lemma =
+            attempt([&] { return supplier != supplied_.end() ? settled(*supplier) : follows(one); })) {
+      theorem = Theorem::cut(*lemma, theorem);
     }
   }
   return without_divisors(theorem);
@@ -326,15 +323,10 @@ void Derivation::conclude(Outcome& outcome, const std::vector<Theorem>& theorems
 
 std::optional<Theorem> contradiction(Prover& prover, const Claim& claim) {
   Derivation derivation(prover, claim);
-  for (const Formula& absurd : {less(0, 0), equal(1, 0)}) {
-    try {
-      return derivation.settled(absurd.kind() == kernel::Kind::less ? derivation.follows(absurd)
-                                                                    : derivation.combined(absurd));
-    } catch (const KernelError&) {
-      continue;
-    }
-  }
-  return std::nullopt;
+  return first_that_works(std::array{less(0, 0), equal(1, 0)}, [&](const Formula& absurd) {
+    return derivation.settled(absurd.kind() == kernel::Kind::less ? derivation.follows(absurd)
+                                                                  : derivation.combined(absurd));
+  });
 }
 
 Outcome derived(const std::string& route, Prover& prover, const Claim& claim, const Derive& derive) {

@@ -126,6 +126,8 @@ using Derive = std::function<kernel::Theorem(Derivation&, std::size_t)>;
 // Whether the part stands somewhere in the term.
 [[nodiscard]] bool occurs(const kernel::Term& part, const kernel::Term& term);
 [[nodiscard]] bool is_inequality(const kernel::Formula& formula);
+// b - a for a = b, a < b or a ≤ b.
+[[nodiscard]] kernel::Term gap_of(const kernel::Formula& relation);
 
 // Products that are not negative.
 

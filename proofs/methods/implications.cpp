@@ -113,7 +113,7 @@ kernel::Theorem by_certificate(Derivation& derivation, const kernel::Formula& go
       const kernel::Positive& part = parts.back();
       kernel::Term value = part.factor;
       for (const kernel::Theorem& inequality : part.inequalities) {
-        value = value * (inequality.conclusion().parts()[1] - inequality.conclusion().parts()[0]);
+        value = value * gap_of(inequality.conclusion());
       }
       terms.push_back(value);
     }

@@ -52,12 +52,11 @@ Theorem literal(Derivation& derivation, const Formula& goal, const Theorems& kno
         tactics::by_rewriting(slope, derivation.combination(equal(value, goal.parts()[2]))));
   }
   for (const Theorem& one : known) {
-    if (one.conclusion().kind() == kernel::Kind::less) {
-      try {
-        return derivation.order(goal, {kernel::Positive{{one}}});
-      } catch (const KernelError&) {
-        continue;
-      }
+    const auto theorem = one.conclusion().kind() == kernel::Kind::less
+                             ? attempt([&] { return derivation.order(goal, {kernel::Positive{{one}}}); })
+                             : std::nullopt;
+    if (theorem) {
+      return *theorem;
     }
   }
   throw KernelError("not known in this case: " + to_string(goal));
@@ -350,14 +349,7 @@ std::optional<Theorem> sum_of(const Formula& formula, const Theorems& equations)
       }
     }
   }
-  for (const std::vector<kernel::Multiple>& sum : sums) {
-    try {
-      return Theorem::combination(formula, sum);
-    } catch (const KernelError&) {
-      continue;
-    }
-  }
-  return std::nullopt;
+  return first_that_works(sums, [&](const auto& sum) { return Theorem::combination(formula, sum); });
 }
 
 // What is assumed of almost all times of an interval, of one within.

@@ -35,11 +35,11 @@ std::vector<Theorem> solved(Derivation& derivation, const Theorem& equation) {
     if (occurs(letter, slope) || occurs(letter, rest)) {
       continue;  // x in an equation with cos(x)
     }
-    try {
-      result.push_back(
-          derivation.combination(equal(letter, rest / slope), {{equation, letters.term(below) / slope, 1}}));
-    } catch (const KernelError&) {
-      continue;
+    if (const auto solution = tactics::attempt([&] {
+          return derivation.combination(equal(letter, rest / slope),
+                                        {{equation, letters.term(below) / slope, 1}});
+        })) {
+      result.push_back(*solution);
     }
   }
   return result;
@@ -84,10 +84,10 @@ class Draw {
 // Whether it holds nearly there; nothing where that cannot be said.
 std::optional<bool> holds_nearly(const Formula& formula, const tactics::Point& values) {
   constexpr double fault = 1e-9;
-  const auto gap = [&] { return tactics::estimated(formula.parts()[1] - formula.parts()[0], values); };
+  const auto gap = [&] { return tactics::estimated(gap_of(formula), values); };
   switch (formula.kind()) {
     case kernel::Kind::equal: {
-      const Term difference = formula.parts()[1] - formula.parts()[0];
+      const Term difference = gap_of(formula);
       const Type& type = difference.type();
       for (int k = 0; k < type.rows * type.columns; ++k) {
         const Term one =
@@ -194,13 +194,9 @@ std::optional<std::pair<Scene, Theorem>> said_at_point(Prover& prover, const Cla
   constexpr std::size_t most_attempts = 12;
   const std::vector<Statement> failed = failing ? std::vector<Statement>{*failing} : std::vector<Statement>{};
   try {
-    for (const Scene& scene : scenes(prover, claim, doubted ? doubted : failing, most_attempts)) {
-      try {
-        return std::pair(scene, refutation(prover, scene, holding, failed));
-      } catch (const KernelError&) {
-        continue;
-      }
-    }
+    return tactics::first_that_works(
+        scenes(prover, claim, doubted ? doubted : failing, most_attempts),
+        [&](const Scene& scene) { return std::pair(scene, refutation(prover, scene, holding, failed)); });
   } catch (const KernelError&) {  // no floating point says where to look
   } catch (const symbols::NoValue&) {
   }

@@ -183,12 +183,7 @@ class Joined {
     return at(agrees_[k], time, certainly(within(pieces_[k].from, time, pieces_[k].to)));
   }
   [[nodiscard]] std::size_t piece_at(const Term& time) const {
-    try {
-      (void)certainly(less(time, pieces_[0].to));
-      return 0;
-    } catch (const KernelError&) {
-      return 1;
-    }
+    return attempt([&] { return certainly(less(time, pieces_[0].to)); }) ? 0 : 1;
   }
   // "X is continuous on [from, to], and X' = v at each time between", from the same of the function.
   [[nodiscard]] Theorem moves(std::size_t k, const Formula& phase, const Theorem& of_function) const {
@@ -293,12 +288,12 @@ class Place {
     }
     const Formula open = substitute(formula, motion_);
     if (open.kind() == kernel::Kind::equal) {
-      try {
-        return without_hypotheses(Theorem::instantiate(derivation_.combination(open), values_));
-      } catch (const KernelError&) {  // it may hold at this point only
-        return certainly(substitute(open, values_));
+      if (const auto always = attempt([&] {
+            return without_hypotheses(Theorem::instantiate(derivation_.combination(open), values_));
+          })) {
+        return *always;
       }
-    }
+    }  // or it may hold at this point only
     return certainly(substitute(open, values_));
   }
   [[nodiscard]] Theorem fails(const Formula& formula) {
@@ -311,15 +306,14 @@ class Place {
   // The first of the functions, for its motion, that obeys the phase, with the theorem. Throws KernelError if
   // none does.
   [[nodiscard]] std::pair<Term, Theorem> moving(const Formula& phase, const std::vector<Term>& functions) {
-    for (const Term& one : functions) {
-      try {
-        const Theorem open = obeys(derivation_, substitute(phase, {{motion_of(phase), one}}));
-        return {one, without_hypotheses(Theorem::instantiate(open, values_))};
-      } catch (const KernelError&) {
-        continue;
-      }
+    const auto found = first_that_works(functions, [&](const Term& one) {
+      const Theorem open = obeys(derivation_, substitute(phase, {{motion_of(phase), one}}));
+      return std::pair(one, without_hypotheses(Theorem::instantiate(open, values_)));
+    });
+    if (!found) {
+      throw KernelError("no motion is known that obeys " + to_string(phase));
     }
-    throw KernelError("no motion is known that obeys " + to_string(phase));
+    return *found;
   }
   Theorem move(const Formula& phase, const std::vector<Term>& functions) {
     const auto [function, theorem] = moving(phase, functions);

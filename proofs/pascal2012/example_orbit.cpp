@@ -318,11 +318,8 @@ kernel::Theorem rounds_to(const Decimal& decimal, const kernel::Term& value, boo
     return tactics::both(
         {is(kernel::at_most(decimal.lower(), value)), is(kernel::at_most(value, decimal.upper()))});
   }
-  try {
-    return is(kernel::less(decimal.upper(), value));
-  } catch (const kernel::KernelError&) {
-    return is(kernel::less(value, decimal.lower()));
-  }
+  const auto above = tactics::attempt([&] { return is(kernel::less(decimal.upper(), value)); });
+  return above ? *above : is(kernel::less(value, decimal.lower()));
 }
 
 Claim computed_from(const Example& example, const std::string& name, const std::string& formula,

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include "model/waves.hpp"
 #include "numeric/words/complete_list.hpp"
@@ -65,16 +66,12 @@ kernel::Theorem phase_is_fixed(const orbits::Ranges& ranges) {
   orbits::Ranges later = ranges;
   later[tau] = {soon, last};
   const Theorem late = orbits::in_pieces(tau, later, [&](const orbits::Ranges& here) {
-    for (const Term& balance : {first, second}) {
-      for (const Formula& relation : {less(0, balance), less(balance, 0)}) {
-        try {
-          return from_sign(Theorem::sign(relation, orbits::ranges_in(balance, here)));
-        } catch (const KernelError&) {
-          continue;
-        }
-      }
-    }
-    throw KernelError("both may be zero at one time");
+    const auto one_has_a_sign = tactics::first_that_works(
+        std::array{less(0, first), less(first, 0), less(0, second), less(second, 0)},
+        [&](const Formula& relation) {
+          return from_sign(Theorem::sign(relation, orbits::ranges_in(relation, here)));
+        });
+    return one_has_a_sign ? *one_has_a_sign : throw KernelError("both may be zero at one time");
   });
 
   const Formula during = between(0, tau, Theta);

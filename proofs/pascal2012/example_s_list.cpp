@@ -26,14 +26,13 @@ const Example& printed() {
 
 // The one of both inequalities that holds.
 kernel::Theorem decided_one_of(const kernel::Formula& either, const orbits::Ranges& ranges) {
-  for (const kernel::Formula& relation : either.parts()) {
-    try {
-      return kernel::Theorem::sign(relation, orbits::ranges_in(relation, ranges));
-    } catch (const kernel::KernelError&) {
-      continue;
-    }
+  const auto decided = tactics::first_that_works(either.parts(), [&](const kernel::Formula& relation) {
+    return kernel::Theorem::sign(relation, orbits::ranges_in(relation, ranges));
+  });
+  if (!decided) {
+    throw kernel::KernelError("some orbit may have this value");
   }
-  throw kernel::KernelError("some orbit may have this value");
+  return *decided;
 }
 
 }  // namespace

@@ -287,21 +287,14 @@ class MotionOf {
       }
     }
     const auto from_one = [&](const Formula& open) {
-      for (const std::vector<Multiple>& because : attempts) {
-        try {
-          const Formula other = because.empty() ? open : because.front().equation.conclusion();
-          return discharged(Theorem::combination(open, because, openings({open, other}).all()));
-        } catch (const kernel::KernelError&) {
-          continue;
-        }
-      }
-      throw unknown(formula);
+      const auto found = tactics::first_that_works(attempts, [&](const std::vector<Multiple>& because) {
+        const Formula other = because.empty() ? open : because.front().equation.conclusion();
+        return discharged(Theorem::combination(open, because, openings({open, other}).all()));
+      });
+      return found ? *found : throw unknown(formula);
     };
-    try {
-      return at_the_data(formula, from_one);
-    } catch (const kernel::KernelError&) {
-      return from_one(formula);
-    }
+    const auto there = tactics::attempt([&] { return at_the_data(formula, from_one); });
+    return there ? *there : from_one(formula);
   }
   // Of z = row inverse(M) …, which solves M z = … for one component: row inverse(M).
   [[nodiscard]] static std::optional<Term> row_that_solves(const Formula& equation) {
@@ -413,14 +406,10 @@ class MotionOf {
       return tactics::both({in_form(formula.parts()[0], here), in_form(formula.parts()[1], here)});
     }
     if (formula.kind() == Kind::disjunction) {  // of both sides of the belt
-      for (const Formula& one : formula.parts()) {
-        try {
-          return Theorem::consequence({in_form(one, here)}, formula);
-        } catch (const kernel::KernelError&) {
-          continue;
-        }
-      }
-      throw unknown(formula);
+      const auto side = tactics::first_that_works(formula.parts(), [&](const Formula& one) {
+        return Theorem::consequence({in_form(one, here)}, formula);
+      });
+      return side ? *side : throw unknown(formula);
     }
     if (formula.kind() != Kind::derivative) {
       return Theorem::order(formula, {Positive{{tactics::part(here, 1)}}});

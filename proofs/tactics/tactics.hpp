@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,28 @@ using Domain = std::vector<Theorem>;
 // {l < x} ⊢ l < x, and {x < u} ⊢ x < u.
 [[nodiscard]] Theorem above(const Term& lower, const Variable& x);
 [[nodiscard]] Theorem below(const Variable& x, const Term& upper);
+
+// ---- Searches
+// What the work makes; nothing where it throws KernelError.
+template <class Work>
+[[nodiscard]] auto attempt(const Work& work) -> std::optional<decltype(work())> {
+  try {
+    return work();
+  } catch (const kernel::KernelError&) {
+    return std::nullopt;
+  }
+}
+// What it makes of the first of these with which it does not throw that.
+template <class All, class Work>
+[[nodiscard]] auto first_that_works(const All& all, const Work& work)
+    -> std::optional<decltype(work(*std::begin(all)))> {
+  for (const auto& one : all) {
+    if (auto made = attempt([&] { return work(one); })) {
+      return made;
+    }
+  }
+  return std::nullopt;
+}
 
 // ---- Logic
 [[nodiscard]] Theorem symmetric(const Theorem& equation);       // a = b gives b = a
