@@ -347,7 +347,7 @@ class Place {
   }
 
   // ⊢ there are values of all its variables with the formula, which holds here.
-  [[nodiscard]] Theorem exists(const Formula& formula, Theorem theorem) const {
+  [[nodiscard]] Theorem exists(const Formula& formula, const Theorem& theorem) const {
     Substitution all = values_;
     if (joined_) {
       all.emplace(Variable{"X", functions_[0].type()}, Variable{"X", functions_[0].type()});
@@ -361,15 +361,8 @@ class Place {
         throw KernelError(name.name + " has no value at this point");
       }
     }
-    std::vector<Formula> steps{formula};  // with the last variables bound
-    for (auto name = names.rbegin(); name != names.rend(); ++name) {
-      steps.push_back(kernel::exists(*name, steps.back()));
-    }
-    for (std::size_t bound = 1; bound <= names.size(); ++bound) {
-      const Variable& name = names[names.size() - bound];
-      theorem = Theorem::witness(theorem, substitute(steps[bound], all), all.at(name));
-    }
-    return joined_ ? joined_->closed(theorem) : theorem;
+    const Theorem there = there_are(names, formula, all, theorem);
+    return joined_ ? joined_->closed(there) : there;
   }
 
  private:

@@ -112,10 +112,7 @@ class Frequencies {
     const Theorem of_product = Theorem::combination(
         equal(product_of_squares(), last),
         {{x.square, power(omega2, 2)}, {y.square, first}, {r.square, Term(Rational(-1, 4))}});
-    Theorem data = of_model(chi, eta, of_sum, of_product);
-    for (const Theorem& known : {x_positive, x_below, y_above}) {
-      data = Theorem::cut(known, data);
-    }
+    const Theorem data = cut_all({x_positive, x_below, y_above}, of_model(chi, eta, of_sum, of_product));
     return closed(both({x_positive, x_below, y_above, part(data, 0), part(data, 1)}), {y, x}, r);
   }
 
@@ -212,15 +209,8 @@ Theorem at_frequencies(const Rational& at_chi, const Rational& at_eta,
     const Variable& which = inequality.variables().contains(omega1) ? omega1 : omega2;
     parts.push_back(Theorem::sign(inequality, {{which, ranges.at(which)}}));
   }
-  Theorem here = data;
-  for (const Theorem& one : parts) {
-    here = Theorem::cut(one, here);
-  }
-  Theorem said = more(ranges);
-  for (const std::size_t which : {0, 1}) {
-    said = Theorem::cut(part(here, which), said);
-  }
-  parts.insert(parts.end(), {part(here, 0), part(here, 1), said});
+  const Theorem here = cut_all(parts, data), of_chi = part(here, 0), of_eta = part(here, 1);
+  parts.insert(parts.end(), {of_chi, of_eta, cut_all({of_chi, of_eta}, more(ranges))});
   Theorem result = both(parts);
   for (const Variable& one : {omega2, omega1}) {
     result = Theorem::witness(result, exists(one, result.conclusion()), one);

@@ -85,20 +85,16 @@ class MotionOf {
     for (const Formula& one : formulas) {
       proved.push_back(holds(substitute(one, values_)));
     }
-    Theorem theorem = tactics::both(proved);
-    Formula left = kernel::all({formulas.begin(), formulas.end()});
-    // First, and innermost, what has a value in terms of the others.
-    const kernel::Variables variables = left.variables();
+    const Formula whole = kernel::all({formulas.begin(), formulas.end()});
+    std::vector<Variable> names;  // innermost what has a value in terms of the others
     for (const bool has_value : {true, false}) {
-      for (const Variable& one : variables) {
+      for (const Variable& one : whole.variables()) {
         if (!frequencies_.contains(one) && values_.contains(one) == has_value) {
-          left = kernel::exists(one, left);
-          theorem =
-              Theorem::witness(theorem, substitute(left, values_), has_value ? values_.at(one) : Term(one));
+          names.insert(names.begin(), one);
         }
       }
     }
-    return theorem;
+    return tactics::there_are(names, whole, values_, tactics::both(proved));
   }
 
  private:

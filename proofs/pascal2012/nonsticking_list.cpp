@@ -65,16 +65,15 @@ class List {
     // delta = pi/2: and then mu is one of them.
     const Theorem middle = delta_is(quarter, holds, during);
     const Variable place{"place"};
-    Theorem only =
-        Theorem::cut(Theorem::replace(middle, place, row(1, place, mu), part(holds, 1)), found.only);
     const auto bounded = [&](const Rational& last, const Theorem& half) {
       return Theorem::order(
           half.conclusion().parts()[0] == Term(mu) ? at_most(mu, last) : at_most(Rational(-last), mu),
           {{{half}}, {{Theorem::sign(less(pi(), last))}}});
     };
-    for (const std::size_t side : {0, 1}) {
-      only = Theorem::cut(bounded(Rational(16, 5), part(where, side)), only);
-    }
+    const Theorem only =
+        cut_all({Theorem::replace(middle, place, row(1, place, mu), part(holds, 1)),
+                 bounded(Rational(16, 5), part(where, 0)), bounded(Rational(16, 5), part(where, 1))},
+                found.only);
     const Theorem all_are =
         for_every(delta, inside, for_every(mu, turn, Theorem::discharge(both({middle, only}), hold)));
     parts.push_back(all_are);
@@ -197,9 +196,7 @@ class List {
                                                     {s, kernel::sin(delta)},
                                                     {speed, speed_},
                                                     {friction, friction_part()}});
-    for (const Theorem& known : {opened_row(1, holds), speed_is(during), Theorem::assume(at_side)}) {
-      result = Theorem::cut(known, result);
-    }
+    result = cut_all({opened_row(1, holds), speed_is(during), Theorem::assume(at_side)}, result);
     return Theorem::convert(result, side_vanishes(k, delta), {side_definition()});
   }
 
@@ -213,13 +210,10 @@ class List {
     const Variable &x = found.zeros[0].x, &y = found.zeros[1].x;
     const auto is_one_of = [&](const Term& end) {
       const Formula vanishes = side_vanishes(k, end);
-      Theorem result = Theorem::instantiate(found.only, {{delta, end}});
-      for (const Formula& inside : {at_most(first, end), at_most(end, last)}) {
-        result = Theorem::cut(certainly(inside), result);
-      }
       const Theorem zero = Theorem::convert(discharged(Theorem::combination(unfold(vanishes, {definition}))),
                                             vanishes, {definition});
-      return Theorem::cut(zero, result);
+      return cut_all({certainly(at_most(first, end)), certainly(at_most(end, last)), zero},
+                     Theorem::instantiate(found.only, {{delta, end}}));
     };
     const Theorem start = Theorem::assume(found.zeros[0].says), end = Theorem::assume(found.zeros[1].says);
     const Theorem positive = part(during, 0), below = part(during, 1);
@@ -237,10 +231,10 @@ class List {
       return Theorem::discharge(
           Theorem::combination(conclusion, {{Theorem::assume(equation), turn}, {known, -turn}}), equation);
     };
-    Theorem only = found.only;
-    only = Theorem::cut(Theorem::order(at_most(first, delta), {{{positive}}, Positive{{}, -first}}), only);
-    only = Theorem::cut(
-        Theorem::order(at_most(delta, last), {{{below}}, {{Theorem::sign(less(pi(), last))}}}), only);
+    const Theorem only =
+        cut_all({Theorem::order(at_most(first, delta), {{{positive}}, Positive{{}, -first}}),
+                 Theorem::order(at_most(delta, last), {{{below}}, {{Theorem::sign(less(pi(), last))}}})},
+                found.only);
     const Formula vanishes = side_vanishes(k, delta);
     Theorem result =
         Theorem::consequence({Theorem::discharge(only, vanishes), same(x, equal(0, delta), at_start),

@@ -155,24 +155,18 @@ class List {
     }
     parts.push_back(all_are(found, amplitudes, same));
     // There are all these.
-    Theorem theorem = both(parts);
     std::vector<Formula> said = result.says;
     said.push_back(conclusion(result));
-    Formula exists = all(said);
-    for (std::size_t k = found.zeros.size(); k-- > 0;) {
-      exists = kernel::exists(result.C[k], exists);
-      Substitution values;
-      for (std::size_t i = 0; i < k; ++i) {
-        values.emplace(result.C[i], amplitudes[i]);
-      }
-      theorem = Theorem::witness(theorem, substitute(exists, values), amplitudes[k]);
-      exists = kernel::exists(found.zeros[k].x, exists);
-      theorem = Theorem::witness(theorem, substitute(exists, values), found.zeros[k].x);
+    std::vector<Variable> names;
+    Substitution values;
+    for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+      names.insert(names.end(), {result.tau[k], result.C[k]});
+      values.emplace(result.C[k], amplitudes[k]);
     }
+    result.theorem = there_are(names, all(said), values, both(parts));
     for (const orbits::EnclosedZero& zero : found.zeros) {
-      theorem = Theorem::choose(zero.exists, zero.x, theorem);
+      result.theorem = Theorem::choose(zero.exists, zero.x, result.theorem);
     }
-    result.theorem = theorem;
     return result;
   }
 
@@ -251,11 +245,10 @@ class List {
     solved[1 - j] = Theorem::cut(crossed, letters_.solves_other(rows[j], rows[1 - j]));
     std::vector<Theorem> parts{part(there, 0), part(there, 1), known.lower, known.upper};
     for (std::size_t i = 0; i < 2; ++i) {
-      Theorem row = letters_.unscaled(rows[i], known.value);
-      row = Theorem::cut(Theorem::cut(divides, solved[i]), row);
-      row = Theorem::cut(orbits::sign(differ(rows[i].D, 0), ranges_), row);
-      parts.push_back(Theorem::convert(Theorem::cut(transfer(i, zero.x), row),
-                                       rows_hold(zero.x, known.value).parts()[i], {e_.rows[i]}));
+      const Theorem row = cut_all({Theorem::cut(divides, solved[i]),
+                                   orbits::sign(differ(rows[i].D, 0), ranges_), transfer(i, zero.x)},
+                                  letters_.unscaled(rows[i], known.value));
+      parts.push_back(Theorem::convert(row, rows_hold(zero.x, known.value).parts()[i], {e_.rows[i]}));
     }
     return within_bounds(zero, both(parts));
   }
@@ -290,16 +283,10 @@ class List {
     const Theorem solved = Theorem::assume(holds), inside = Theorem::assume(during);
     std::vector<Term> taus;
     std::vector<Theorem> because;
-    Theorem only = found.only;
-    {
-      Theorem zero =
-          Theorem::convert(letters_.eliminated(rows_[0], rows_[1], e_.C), vanishes(e_.tau), {eliminant_});
-      for (const std::size_t j : {0, 1}) {
-        zero = Theorem::cut(scaled(j, e_.tau, e_.C), zero);
-      }
-      only = Theorem::cut(zero, only);
-    }
-    because.push_back(only);
+    const Theorem zero = cut_all(
+        {scaled(0, e_.tau, e_.C), scaled(1, e_.tau, e_.C)},
+        Theorem::convert(letters_.eliminated(rows_[0], rows_[1], e_.C), vanishes(e_.tau), {eliminant_}));
+    because.push_back(Theorem::cut(zero, found.only));
     for (std::size_t k = 0; k < same.size(); ++k) {
       const Variable& x = found.zeros[k].x;
       taus.emplace_back(x);
@@ -310,14 +297,12 @@ class List {
       because.push_back(Theorem::discharge(within_bounds(found.zeros[k], Theorem::cut(moved, same[k])),
                                            equation.conclusion()));
     }
-    Theorem result = Theorem::consequence(because, goal(taus, amplitudes));
     const Rational last = orbits::above(e_.Theta, ranges_);
-    for (const Theorem& known :
-         {part(inside, 0), Theorem::order(at_most(0, e_.tau), {{{part(inside, 0)}}}),
-          Theorem::order(at_most(e_.tau, last),
-                         {{{part(inside, 1)}}, {{Theorem::sign(less(e_.Theta, last))}}})}) {
-      result = Theorem::cut(known, result);
-    }
+    const Theorem result =
+        cut_all({part(inside, 0), Theorem::order(at_most(0, e_.tau), {{{part(inside, 0)}}}),
+                 Theorem::order(at_most(e_.tau, last),
+                                {{{part(inside, 1)}}, {{Theorem::sign(less(e_.Theta, last))}}})},
+                Theorem::consequence(because, goal(taus, amplitudes)));
     return for_every(e_.tau, during, for_every(e_.C, holds, result));
   }
 

@@ -53,6 +53,12 @@ template <class All, class Work>
 [[nodiscard]] Theorem symmetric(const Theorem& equation);       // a = b gives b = a
 [[nodiscard]] Theorem both(const std::vector<Theorem>& parts);  // their conjunction
 [[nodiscard]] Theorem part(const Theorem& conjunction, std::size_t index);
+// A, B, … ⊢ C and ⊢ A, ⊢ B, … give ⊢ C, one after the other.
+[[nodiscard]] Theorem cut_all(const std::vector<Theorem>& lemmas, Theorem theorem);
+// The formula with the values of these names ⊢ there are names: the formula. A name without a value stands
+// for itself.
+[[nodiscard]] Theorem there_are(const std::vector<Variable>& names, Formula formula,
+                                const kernel::Substitution& values, Theorem theorem);
 // A ⇒ C and A give C.
 [[nodiscard]] Theorem detach(const Theorem& implication, const Theorem& premise);
 // for all t: A(t) ⇒ C(t), and A(x), give C(x).
