@@ -27,6 +27,8 @@ class Derivation {
   [[nodiscard]] kernel::Term read(const symbols::Term& printed) { return read_(printed); }
   [[nodiscard]] kernel::Formula read(const symbols::Statement& statement) { return read_(statement); }
 
+  // What the claim prints, by its number from 0.
+  [[nodiscard]] kernel::Formula printed(std::size_t which) { return read_(claim_.printed[which]); }
   // With the values that the claim's assumptions give ("tau = pi/omega") wherever their symbols stand.
   [[nodiscard]] kernel::Term with_values(kernel::Term term) const;
 

@@ -21,7 +21,7 @@ namespace {
 const char * const normal_form_route = "both sides have the same normal form, for all values of the symbols";
 
 kernel::Theorem by_itself(Derivation& derivation, std::size_t which) {
-  return derivation.combination(derivation.read(derivation.claim().printed[which]));
+  return derivation.combination(derivation.printed(which));
 }
 
 // The printed statements that speak of nothing but what has a value.
