@@ -54,8 +54,8 @@ Term joined_blocks(const symbols::Shape& shape, const std::vector<Term>& blocks)
   std::size_t top = 0;
   for (const Term& one : blocks) {
     if (static_cast<int>(rows[top].size()) == shape.columns) {
-      top = static_cast<std::size_t>(
-          std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.empty(); }) - rows.begin());
+      top = static_cast<std::size_t>(std::ranges::find_if(rows, [](const auto& row) { return row.empty(); }) -
+                                     rows.begin());
     }
     for (int i = 0; i < one.type().rows; ++i) {
       for (int j = 0; j < one.type().columns; ++j) {
@@ -84,7 +84,7 @@ Term integer_power(const Term& base, const Rational& exponent) {
 Term defined(const std::string& name, const std::vector<Variable>& first, const Term& body) {
   std::vector<Variable> parameters = first;
   for (const Variable& variable : body.variables()) {
-    if (std::find(parameters.begin(), parameters.end(), variable) == parameters.end()) {
+    if (std::ranges::find(parameters, variable) == parameters.end()) {
       parameters.push_back(variable);
     }
   }
@@ -214,8 +214,8 @@ Term Reader::operator()(const symbols::Term& printed) {
     case Op::determinant:
       return determinant(parts[0]);
     case Op::derivative: {
-      const auto known = std::find_if(rates_.begin(), rates_.end(),
-                                      [&](const auto& rate) { return rate.second == parts[0]; });
+      const auto known =
+          std::ranges::find_if(rates_, [&](const auto& rate) { return rate.second == parts[0]; });
       if (known != rates_.end()) {
         return apply(known->first, time);
       }

@@ -76,9 +76,8 @@ Claim condition_claim(const Example& example, const Requirement& requirement) {
           .words = fmt::format("{}, at the data of {}", requirement.statement, example.figure),
           .prove = [&example, requirement](Prover& prover, const Claim&) {
             const std::vector<Condition>& conditions = printed_orbit(example).conditions;
-            const auto found =
-                std::find_if(conditions.begin(), conditions.end(),
-                             [&](const Condition& condition) { return condition.id == requirement.id; });
+            const auto found = std::ranges::find_if(
+                conditions, [&](const Condition& condition) { return condition.id == requirement.id; });
             if (found == conditions.end()) {
               throw InternalError("the orbit has no condition " + requirement.id);
             }

@@ -173,8 +173,7 @@ PrintedClosing<5> printed_closing_overshooting(const ExactParameters& a, const R
   };
   PrintedClosing<5> result{residuals(points(printed)), residuals(intervals(printed)),
                            Verdict::undecided("every closing condition may hold somewhere in the intervals")};
-  if (std::any_of(result.at_intervals.begin(), result.at_intervals.end(),
-                  [](const Ball& residual) { return residual.is_nonzero(); })) {
+  if (std::ranges::any_of(result.at_intervals, [](const Ball& residual) { return residual.is_nonzero(); })) {
     result.verdict = Verdict::refuted("a closing condition holds nowhere in the printed intervals");
   }
   return result;

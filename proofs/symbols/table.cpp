@@ -258,7 +258,7 @@ thread_local const Vocabulary * in_force = nullptr;
 Symbols::Symbols(std::vector<Symbol> rows) : rows_(std::move(rows)) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     std::vector<std::size_t>& places = places_[rows_[i].name];
-    if (std::any_of(places.begin(), places.end(), [&](std::size_t k) {
+    if (std::ranges::any_of(places, [&](std::size_t k) {
           return rows_[k].shape == rows_[i].shape && rows_[k].of_time == rows_[i].of_time;
         })) {
       throw InternalError("the symbol " + rows_[i].name + " stands twice in the table");
