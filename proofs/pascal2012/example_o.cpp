@@ -11,7 +11,6 @@
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
-#include "proofs/symbols/closing.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 

@@ -10,7 +10,6 @@
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
-#include "proofs/symbols/closing.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/closed.hpp"
 
