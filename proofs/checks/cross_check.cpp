@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "proofs/checks/premise_point.hpp"
+#include "proofs/checks/premises.hpp"
 #include "proofs/kernel/entrywise.hpp"
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/symbols/sample.hpp"

@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "proofs/checks/edits.hpp"
-#include "proofs/checks/premise_point.hpp"
+#include "proofs/checks/premises.hpp"
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"

@@ -1,4 +1,4 @@
-#include "proofs/checks/premise_point.hpp"
+#include "proofs/checks/premises.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "proofs/methods/assumptions.hpp"
-#include "proofs/symbols/derived.hpp"
+#include "proofs/symbols/sample.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 

@@ -7,7 +7,6 @@
 #include "core/error.hpp"
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/implications.hpp"
-#include "proofs/methods/points.hpp"
 #include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/sample.hpp"

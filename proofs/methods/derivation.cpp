@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "proofs/methods/assumptions.hpp"
-#include "proofs/methods/printed.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/methods/reading.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"

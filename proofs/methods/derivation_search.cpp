@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "proofs/methods/derivation.hpp"
-#include "proofs/methods/points.hpp"
+#include "proofs/methods/refutation.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
 

@@ -11,7 +11,7 @@
 #include "core/interruption.hpp"
 #include "proofs/checks/cross_check.hpp"
 #include "proofs/checks/mutants.hpp"
-#include "proofs/checks/premise_point.hpp"
+#include "proofs/checks/premises.hpp"
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/gate.hpp"

@@ -6,8 +6,8 @@
 #include <optional>
 #include <tuple>
 
-#include "proofs/symbols/derived.hpp"
 #include "proofs/symbols/evaluate.hpp"
+#include "proofs/symbols/sample.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/tactics/model_terms.hpp"
 #include "proofs/tactics/tactics.hpp"

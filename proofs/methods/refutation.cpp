@@ -8,7 +8,6 @@
 
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
-#include "proofs/methods/points.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/meaning.hpp"
 #include "proofs/symbols/table.hpp"

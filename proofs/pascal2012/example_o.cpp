@@ -9,7 +9,6 @@
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_o_closing.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 
 namespace stickslip::proofs::pascal2012 {

@@ -6,7 +6,6 @@
 #include "proofs/orbits/by_slopes.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 

@@ -13,7 +13,7 @@
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {

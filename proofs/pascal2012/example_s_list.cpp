@@ -9,7 +9,7 @@
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 

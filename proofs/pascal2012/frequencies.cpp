@@ -1,7 +1,7 @@
 // (39) has solutions for all 0 < chi < 1 and eta > 0: what is proved for all 0 < omega_1 < 1 < omega_2 is
 // proved for all of them.
-#include "proofs/pascal2012/frequencies.hpp"
 #include <algorithm>
+#include "proofs/pascal2012/printed_example.hpp"
 
 #include "proofs/kernel/theorem.hpp"
 #include "proofs/methods/derivation.hpp"

@@ -13,7 +13,7 @@
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {

@@ -11,6 +11,7 @@
 #include "model/symmetric.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "proofs/methods/claim.hpp"
+#include "proofs/orbits/along.hpp"
 #include "proofs/orbits/phases.hpp"
 #include "proofs/pascal2012/examples.hpp"
 
@@ -94,5 +95,19 @@ struct PrintedClosing {
 [[nodiscard]] PrintedClosing<5> printed_closing_overshooting(const numeric::motion::ExactParameters& a,
                                                              const Rational& phi,
                                                              const std::array<Decimal, 5>& printed);
+
+// The frequencies (39) as parameters in place of chi and eta (frequencies.cpp).
+
+// For all values of the other variables: all hypotheses that are not of omega1 and omega2 alone imply what it
+// says.
+[[nodiscard]] kernel::Theorem closed_but_frequencies(kernel::Theorem theorem);
+
+// For numbers at the data of an example, of which omega1 and omega2 are not rational: from ranges of these
+// two, which are the hypotheses of what `more` makes, and that chi and eta have these values, ⊢ C, to ⊢ there
+// are 0 < omega1 < 1 < omega2 at which chi and eta have these values, and C. Throws KernelError outside 0 <
+// chi < 1, 0 < eta.
+[[nodiscard]] kernel::Theorem at_frequencies(
+    const Rational& chi, const Rational& eta,
+    const std::function<kernel::Theorem(const orbits::Ranges& ranges)>& more);
 
 }  // namespace stickslip::proofs::pascal2012

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "proofs/symbols/derived.hpp"
 #include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/sample.hpp"
 
