@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "core/error.hpp"
 #include "proofs/checks/premises.hpp"
@@ -291,11 +290,7 @@ void add(Outcome& whole, const Outcome& part) {
 symbols::Names names_with(const std::vector<std::string>& further) {
   symbols::Names names = symbols::names_of(symbols::symbol_table());
   for (const std::string& name : further) {
-    const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
-                         std::ranges::all_of(name, [](char c) {
-                           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-                         });
-    if (!is_name) {
+    if (!symbols::is_name(name)) {
       throw UsageError(
           fmt::format("'{}' is no name for a symbol: a name is a letter of a to z or A to Z, then such "
                       "letters and digits, as alpha for α",

@@ -25,6 +25,17 @@ bool occurs(const Term& part, const Term& term) {
   return !(replaced(term, part, fresh(part.type(), {term, part})) == term);
 }
 
+std::set<Term> parts_that(const Term& term, const std::function<bool(const Term&)>& are_so) {
+  std::set<Term> result;
+  if (are_so(term)) {
+    result.insert(term);
+  }
+  for (const Term& part : term.parts()) {
+    result.merge(parts_that(part, are_so));
+  }
+  return result;
+}
+
 bool is_inequality(const Formula& formula) {
   return formula.kind() == kernel::Kind::less || formula.kind() == kernel::Kind::at_most;
 }

@@ -127,6 +127,9 @@ using Derive = std::function<kernel::Theorem(Derivation&, std::size_t)>;
 
 // Whether the part stands somewhere in the term.
 [[nodiscard]] bool occurs(const kernel::Term& part, const kernel::Term& term);
+// The parts of the term, itself among them, of which this is so.
+[[nodiscard]] std::set<kernel::Term> parts_that(const kernel::Term& term,
+                                                const std::function<bool(const kernel::Term&)>& are_so);
 [[nodiscard]] bool is_inequality(const kernel::Formula& formula);
 // b - a for a = b, a < b or a ≤ b.
 [[nodiscard]] kernel::Term gap_of(const kernel::Formula& relation);

@@ -210,14 +210,11 @@ Theorem Derivation::positive(const Term& a) {
 // ⊢ 0 < sin x for the sines in the term of which the assumptions say that 0 < x < pi.
 std::vector<Theorem> Derivation::positive_sines(const Term& term) {
   std::set<Term> arguments;
-  const auto visit = [&](const auto& self, const Term& part) -> void {
-    if (part.kind() == kernel::Kind::sine) {
-      arguments.insert(part.parts()[0]);
-    }
-    std::ranges::for_each(part.parts(), [&](const Term& inner) { self(self, inner); });
-  };
   if (!looks_at_sines_ && !known_.empty()) {
-    visit(visit, term);
+    for (const Term& sine :
+         parts_that(term, [](const Term& part) { return part.kind() == kernel::Kind::sine; })) {
+      arguments.insert(sine.parts()[0]);
+    }
   }
   const bool before = std::exchange(looks_at_sines_, true);  // an argument may have sines, too
   std::vector<Theorem> result;

@@ -250,7 +250,7 @@ Formula Reader::relation(const symbols::Statement& statement) {
       statement.relation == Relation::greater || statement.relation == Relation::greater_or_equal;
   const bool strict = statement.relation == Relation::less || statement.relation == Relation::greater;
   const auto side = [this](const symbols::Term& one, const symbols::Term& other) {
-    return one.is_zero() ? filled(other.shape(), [](int, int) { return Term(0); }) : (*this)(one);
+    return one.is_zero() ? zero(real_matrix(other.shape().rows, other.shape().columns)) : (*this)(one);
   };
   if (statement.relation == Relation::equal || statement.relation == Relation::not_equal) {
     const Term left = side(statement.left, statement.right), right = side(statement.right, statement.left);
@@ -307,7 +307,7 @@ Formula Reader::at_one_time(const symbols::Statement& statement) {
     throw NoValue("a derivative is equal to something: " + text(statement));
   }
   const Term value = statement.right.is_zero()
-                         ? filled(statement.left.shape(), [](int, int) { return Term(0); })
+                         ? zero(real_matrix(statement.left.shape().rows, statement.left.shape().columns))
                          : (*this)(statement.right);
   return derivative(lambda(time, (*this)(statement.left.arguments().front())), time, value);
 }

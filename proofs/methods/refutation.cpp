@@ -82,22 +82,8 @@ std::vector<Term> closed_forms(Derivation& derivation, const std::vector<symbols
         term = replaced(term, one.parts()[0], one.parts()[1]);
       }
     }
-    std::set<Term> states;
-    const auto visit = [&](const auto& self, const Term& part) -> void {
-      if (is_state(part)) {
-        states.insert(part);
-      }
-      std::ranges::for_each(part.parts(), [&](const Term& inner) { self(self, inner); });
-    };
-    visit(visit, term);
-    for (const Term& state : states) {
-      const Type& type = state.type();
-      term = replaced(
-          term, state,
-          type.is_scalar()
-              ? Term(0)
-              : matrix(type.rows, type.columns,
-                       std::vector<Term>(static_cast<std::size_t>(type.rows * type.columns), Term(0))));
+    for (const Term& state : parts_that(term, is_state)) {
+      term = replaced(term, state, zero(state.type()));
     }
     result.push_back(kernel::lambda(time_variable, term));
   }
@@ -370,13 +356,11 @@ class Place {
   [[nodiscard]] Theorem of_pieces(const Formula& formula, const Prove& prove) {
     const Variable X{"X", functions_[0].type()};
     std::set<Term> times;
-    const auto visit = [&](const auto& self, const Term& term) -> void {
-      if (term.kind() == kernel::Kind::apply && term.parts()[0] == Term(X)) {
-        times.insert(term.parts()[1]);
-      }
-      std::ranges::for_each(term.parts(), [&](const Term& one) { self(self, one); });
-    };
-    visit(visit, formula);
+    for (const Term& state : parts_that(formula, [&](const Term& term) {
+           return term.kind() == kernel::Kind::apply && term.parts()[0] == Term(X);
+         })) {
+      times.insert(state.parts()[1]);
+    }
     const auto joined = std::exchange(joined_, std::nullopt);
     Formula open = formula;
     std::vector<std::pair<Term, std::size_t>> pieces;

@@ -24,6 +24,7 @@
 namespace stickslip::proofs::text {
 
 using namespace methods;
+using symbols::is_name;
 using symbols::Names;
 using symbols::Statement;
 using symbols::Term;
@@ -60,12 +61,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
     parts.push_back(trimmed(part));
   }
   return parts;
-}
-
-bool is_name(const std::string& name) {
-  return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
-         std::ranges::all_of(
-             name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
 }
 
 // Of claims, assumptions and sections: they become names of files.
