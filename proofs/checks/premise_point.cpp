@@ -186,45 +186,34 @@ struct PremisePoint::Point {
   }
 
   [[nodiscard]] bool holds(const Statement& statement) const {
-    const Column d = difference(premises.with_motions(statement));
-    return std::ranges::all_of(d, [&](const Ball& x) {
-      switch (statement.relation) {
+    const Statement here = with_less(premises.with_motions(statement));
+    return std::ranges::all_of(difference(here), [&](const Ball& x) {
+      switch (here.relation) {
         case Relation::equal:
           return x.contains_zero() && is_small(x);
         case Relation::not_equal:
           return x.is_nonzero();
         case Relation::less:
           return x.is_negative();
-        case Relation::less_or_equal:
+        default:
           return !x.is_positive() && is_small(x);
-        case Relation::greater:
-          return x.is_positive();
-        case Relation::greater_or_equal:
-          return !x.is_negative() && is_small(x);
       }
-      return false;
     });
   }
   [[nodiscard]] bool fails(const Statement& statement) const {
-    const bool strict = statement.relation == Relation::less || statement.relation == Relation::greater;
-    if (strict && equal(statement.left, statement.right)) {
+    if (with_less(statement).relation == Relation::less && equal(statement.left, statement.right)) {
       return true;
     }
-    const Column d = difference(premises.with_motions(statement));
-    return std::ranges::any_of(d, [&](const Ball& x) {
-      switch (statement.relation) {
+    const Statement here = with_less(premises.with_motions(statement));
+    return std::ranges::any_of(difference(here), [&](const Ball& x) {
+      switch (here.relation) {
         case Relation::equal:
           return x.is_nonzero();
         case Relation::not_equal:
           return x.is_exact() && !x.is_nonzero();
-        case Relation::less:
-        case Relation::less_or_equal:
+        default:
           return x.is_positive();
-        case Relation::greater:
-        case Relation::greater_or_equal:
-          return x.is_negative();
       }
-      return false;
     });
   }
   [[nodiscard]] bool is_nonzero(const Hypothesis& hypothesis) const {

@@ -246,9 +246,6 @@ bool is_absolute_value(const symbols::Term& term) {
 
 Formula Reader::relation(const symbols::Statement& statement) {
   using symbols::Relation;
-  const bool turned =
-      statement.relation == Relation::greater || statement.relation == Relation::greater_or_equal;
-  const bool strict = statement.relation == Relation::less || statement.relation == Relation::greater;
   const auto side = [this](const symbols::Term& one, const symbols::Term& other) {
     return one.is_zero() ? zero(real_matrix(other.shape().rows, other.shape().columns)) : (*this)(one);
   };
@@ -256,9 +253,10 @@ Formula Reader::relation(const symbols::Statement& statement) {
     const Term left = side(statement.left, statement.right), right = side(statement.right, statement.left);
     return statement.relation == Relation::equal ? equal(left, right) : differ(left, right);
   }
-  const symbols::Term &lower = turned ? statement.right : statement.left,
-                      &upper = turned ? statement.left : statement.right;
-  const auto below = [&](const Term& a, const Term& b) { return strict ? less(a, b) : at_most(a, b); };
+  const symbols::Statement here = with_less(statement);
+  const symbols::Term &lower = here.left, &upper = here.right;
+  const bool strict = here.relation == Relation::less;
+  const auto below = [strict](const Term& a, const Term& b) { return strict ? less(a, b) : at_most(a, b); };
   if (is_absolute_value(lower)) {
     const Term inside = (*this)(lower.arguments().front()), bound = (*this)(upper);
     return kernel::all({below(-bound, inside), below(inside, bound)});
