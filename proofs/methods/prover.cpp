@@ -94,37 +94,6 @@ bool says_contradiction(const std::vector<Statement>& form) {
          (form[0].relation == Relation::less || form[0].relation == Relation::greater);
 }
 
-// Proves all claims of a list, or those asked for.
-
-Audit prove_all(Prover& prover, const std::vector<std::string>& ids, const Progress& progress) {
-  Audit result;
-  for (const std::string& id : ids) {
-    progress(id, result.records.size(), ids.size());
-    try {
-      const Record& record = prover.prove(id);
-      if (interrupted()) {
-        break;  // what this claim rests on may have been cut short
-      }
-      result.records.push_back(record);
-    } catch (const Error&) {
-      if (!interrupted()) {
-        throw;
-      }
-      break;
-    }
-  }
-  for (Record& record : result.records) {
-    for (const Record& other : result.records) {
-      if (other.outcome.uses.contains(record.claim.id) ||
-          (other.corrected && other.corrected->uses.contains(record.claim.id)) ||
-          (other.converse && other.converse->uses.contains(record.claim.id))) {
-        record.used_by.insert(other.claim.id);
-      }
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 Prover::Prover(const std::vector<Claim>& claims) {
@@ -404,7 +373,32 @@ Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids, 
     }
   }
   prover.begin(asked);
-  return prove_all(prover, asked, progress);
+  Audit result;
+  for (const std::string& id : asked) {
+    progress(id, result.records.size(), asked.size());
+    try {
+      const Record& record = prover.prove(id);
+      if (interrupted()) {
+        break;  // what this claim rests on may have been cut short
+      }
+      result.records.push_back(record);
+    } catch (const Error&) {
+      if (!interrupted()) {
+        throw;
+      }
+      break;
+    }
+  }
+  for (Record& record : result.records) {
+    for (const Record& other : result.records) {
+      if (other.outcome.uses.contains(record.claim.id) ||
+          (other.corrected && other.corrected->uses.contains(record.claim.id)) ||
+          (other.converse && other.converse->uses.contains(record.claim.id))) {
+        record.used_by.insert(other.claim.id);
+      }
+    }
+  }
+  return result;
 }
 
 Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids) {

@@ -135,8 +135,8 @@ Outcome lag_is_no_consequence(Prover&, const Claim&) {
     return outcome;
   }
   outcome.route += ": " + told_apart(*other, *printed().family);
-  outcome.verdict = Verdict::refuted(Witness{
-      outcome.at, {}, other->phi(), lag_of(*other), "the phase $phi$ of the load", "$(pi - omega tau)/2$"});
+  outcome.verdict = differs_at(outcome.at, other->phi(), lag_of(*other), "the phase $phi$ of the load",
+                               "$(pi - omega tau)/2$");
   prove(outcome, [&] {
     return orbits::orbit_theorem(orbits::question_of(question_of(printed()), other->motion), other->motion);
   });

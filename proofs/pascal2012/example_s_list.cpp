@@ -142,12 +142,8 @@ Outcome friction_is_no_datum(Prover&, const Claim&) {
     outcome.verdict = Verdict::undecided("some orbit may have this u_r");
     return outcome;
   }
-  outcome.verdict = Verdict::refuted(Witness{outcome.at,
-                                             {},
-                                             printed_orbit(printed()).value("ur"),
-                                             Ball(given.value),
-                                             "$u_r$ of the orbit",
-                                             "the printed one"});
+  outcome.verdict = differs_at(outcome.at, printed_orbit(printed()).value("ur"), Ball(given.value),
+                               "$u_r$ of the orbit", "the printed one");
   prove(outcome, [&] {
     return at_both(list, [](const SymmetricEquations& e, const SymmetricList& found, int phase,
                             const orbits::Ranges& frequencies) {

@@ -45,6 +45,11 @@ Outcome at_the_data(const Example& example, const std::string& route) {
   return outcome;
 }
 
+Verdict differs_at(const std::vector<Coordinate>& data, const Ball& left, const Ball& right,
+                   const std::string& left_name, const std::string& right_name) {
+  return Verdict::refuted(Witness{data, {}, left, right, left_name, right_name});
+}
+
 std::string orbit_claim(const Example& example) {
   return example.name + ".orbit";
 }

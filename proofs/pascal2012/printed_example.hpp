@@ -27,6 +27,9 @@ namespace stickslip::proofs::pascal2012 {
 // An outcome at the example's data: its parameters, and phi and u_r where they are given.
 [[nodiscard]] methods::Outcome at_the_data(const methods::Example& example, const std::string& route);
 
+// Refuted at these data: what is called left is not what is called right.
+[[nodiscard]] Verdict differs_at(const std::vector<Coordinate>& data, const Ball& left, const Ball& right,
+                                 const std::string& left_name, const std::string& right_name);
 // "S.orbit": the id of the claim that the orbit exists. Claims refer to examples, which have to outlive them.
 [[nodiscard]] std::string orbit_claim(const methods::Example& example);
 // The same outcome, which rests on that.
