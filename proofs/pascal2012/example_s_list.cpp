@@ -193,9 +193,9 @@ class OrbitAtData {
         h_((Term(Theta_) - e.tau) / 2),
         data_{chi_,
               model::modes_of<Symbolic>(chi_, e.omega1, e.omega2),
-              number(printed().data.V),
+              Term(printed().data.V),
               omega_,
-              number(printed().data.p),
+              Term(printed().data.p),
               Theta_,
               e.sigma},
         known_(in_letters(halves)) {}
@@ -226,7 +226,7 @@ class OrbitAtData {
     const Theorem breaks = Theorem::assume(equal(Term(Rational(a.chi * a.eta)) * (z20_ - z10_),
                                                  a.p * cos_phi + Term(a.eta) * (ur - Term(a.us))));
     const Symbolic of_reduced =
-        model::friction_at<Symbolic>({chi_, number(a.eta), number(a.us), data_.V, omega_, data_.p},
+        model::friction_at<Symbolic>({chi_, Term(a.eta), Term(a.us), data_.V, omega_, data_.p},
                                      model::symmetric_start<Symbolic>(data_, e_.tau, amplitude()),
                                      model::symmetric_phase<Symbolic>(data_, kernel::pi(), e_.tau));
     const Term lever = chi_ * (1 - chi_) / 2;
@@ -236,7 +236,6 @@ class OrbitAtData {
 
  private:
   using Symbolic = tactics::Symbolic;
-  [[nodiscard]] static Symbolic number(const Rational& value) { return Term(value); }
   [[nodiscard]] static Term row_of(const std::vector<Term>& entries) { return kernel::matrix(1, 4, entries); }
   [[nodiscard]] Term lambda(const Term& omega_j) const { return (1 - power(omega_j, 2)) / chi_; }
   [[nodiscard]] Term amplitude() const {

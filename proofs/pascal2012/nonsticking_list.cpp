@@ -16,16 +16,11 @@ namespace {
 
 const Variable delta{"delta"}, mu{"mu"}, omega1{"omega1"}, omega2{"omega2"}, kappa{"kappa"};
 
-Symbolic number(const Rational& value) {
-  return Term(value);
-}
-
 class List {
  public:
   List(const methods::Example& example, const orbits::Ranges& ranges)
       : ranges_(ranges),
-        data_{number(example.data.chi), number(example.data.eta),   number(example.data.us),
-              number(example.data.V),   number(example.data.omega), number(example.data.p)},
+        data_(Printed<Symbolic>{example}.data()),
         modes_(model::modes_of<Symbolic>(data_.chi, omega1, omega2)),
         rest_(model::modal_rest<Symbolic>(modes_, model::d0<Symbolic>(data_.chi, data_.us))),
         q2_(model::Q<Symbolic>(data_, modes_)(1)),

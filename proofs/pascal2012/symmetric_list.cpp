@@ -14,15 +14,12 @@ using namespace tactics;
 
 namespace {
 
-Symbolic number(const Rational& value) {
-  return Term(value);
-}
-
 model::SymmetricData<Symbolic> data_of(const methods::Example& example, const SymmetricEquations& e) {
-  const model::Parameters<Rational>& a = example.data;
-  const Symbolic chi = number(a.chi);
-  return {chi,         model::modes_of<Symbolic>(chi, e.omega1, e.omega2), number(a.V), number(a.omega),
-          number(a.p), Symbolic(2) * Symbolic(pi()) / number(a.omega),     e.sigma};
+  const model::Parameters<Symbolic> a = Printed<Symbolic>{example}.data();
+  return {a.chi,  model::modes_of<Symbolic>(a.chi, e.omega1, e.omega2),
+          a.V,    a.omega,
+          a.p,    Symbolic(2) * Symbolic(pi()) / a.omega,
+          e.sigma};
 }
 
 // A row, left C = B + k T with the load's transfer T, and times D = omega_j^2 - omega^2 without a divisor:
@@ -42,7 +39,7 @@ struct Row {
 
 std::vector<Row> rows_of(const methods::Example& example, const SymmetricEquations& e) {
   const model::SymmetricData<Symbolic> data = data_of(example, e);
-  const Symbolic tau = e.tau, omega = number(example.data.omega);
+  const Symbolic tau = e.tau, omega = data.omega;
   const auto rows = model::symmetric_rows<Symbolic>(data, tau);
   std::vector<Row> result;
   for (const int j : {0, 1}) {
@@ -319,14 +316,13 @@ class List {
 }  // namespace
 
 SymmetricEquations::SymmetricEquations(const methods::Example& example) {
-  const model::Parameters<Rational>& a = example.data;
   const model::SymmetricData<Symbolic> data = data_of(example, *this);
   Theta = data.Theta.term;
   for (const Row& row : rows_of(example, *this)) {
     rows.emplace_back(fmt::format("symmetric_row_{}", rows.size() + 1),
                       std::vector<Variable>{omega1, omega2, sigma, tau, C}, row.formula(C).parts()[0]);
   }
-  ur = model::friction_at<Symbolic>({data.chi, number(a.eta), number(a.us), data.V, data.omega, data.p},
+  ur = model::friction_at<Symbolic>(Printed<Symbolic>{example}.data(),
                                     model::symmetric_start<Symbolic>(data, tau, C),
                                     model::symmetric_phase<Symbolic>(data, pi(), tau))
            .term;
