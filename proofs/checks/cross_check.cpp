@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <type_traits>
+#include <utility>
 
 #include "core/error.hpp"
-#include "proofs/checks/premise_point.hpp"
+#include "proofs/checks/premises.hpp"
 #include "proofs/kernel/entrywise.hpp"
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/symbols/sample.hpp"
@@ -27,17 +29,6 @@ constexpr unsigned draws = 40;  // of each point, until no denominator vanishes 
 unsigned seed_of(const Claim& claim) {
   return std::accumulate(claim.id.begin(), claim.id.end(), 7U,
                          [](unsigned seed, char c) { return 31 * seed + static_cast<unsigned char>(c); });
-}
-
-template <class S>
-struct Sides {
-  Value<S> left, right;
-};
-
-template <class S>
-Sides<S> sides(const Statement& statement, Sample<S>& at) {
-  return {evaluate_beside<S>(statement.left, statement.right, at.lookup()),
-          evaluate_beside<S>(statement.right, statement.left, at.lookup())};
 }
 
 // What the terms that a proof derived are worth at a point.
@@ -69,7 +60,7 @@ struct At {
 template <class S>
 Sides<S> sides(const Decided& decided, Sample<S>& at) {
   if (decided.statement) {
-    return sides(*decided.statement, at);
+    return both_sides<S>(*decided.statement, at.lookup());
   }
   kernel::Entrywise<At<S>> entries({&at});
   const auto column = [&](const kernel::Term& term) {
@@ -79,44 +70,37 @@ Sides<S> sides(const Decided& decided, Sample<S>& at) {
   return {column(decided.left), column(decided.right)};
 }
 
-// The claim's formulas at one point, exactly.
-struct ExactSides {
+// The claim's formulas at one point: exactly, or with the same parameters and times as balls, but for those
+// that are fixed; pi is pi there.
+template <class S>
+struct AtPoint {
   ExactPoint point;
-  Sample<Exact> at;
+  std::vector<Coordinate> fixed;
+  Sample<S> at;
 
-  ExactSides(const Replacements& given, unsigned seed)
-      : point(seed), at(given, [this](const std::string& name) { return point.symbol(name); }) {}
+  AtPoint(const Replacements& given, unsigned seed, std::vector<Coordinate> those = {})
+      : point(seed),
+        fixed(std::move(those)),
+        at(given, [this](const std::string& name) { return value(name); }) {}
 
-  // Whether they are equal.
-  [[nodiscard]] bool operator()(const Decided& decided) {
-    const Sides<Exact> here = sides(decided, at);
-    return std::equal(here.left.data(), here.left.data() + here.left.size(), here.right.data(),
-                      [](const Exact& a, const Exact& b) { return a.value() == b.value(); });
+  [[nodiscard]] Sides<S> operator()(const Decided& decided) { return sides(decided, at); }
+
+  [[nodiscard]] S value(const std::string& name) const {
+    if constexpr (std::is_same_v<S, Exact>) {
+      return point.symbol(name);
+    } else {
+      const auto known = std::ranges::find(fixed, name, &Coordinate::name);
+      return known != fixed.end() ? Ball(known->value)
+             : name == "pi"       ? Ball::pi()
+                                  : Ball(point.symbol(name).value());
+    }
   }
 };
 
-// The same parameters and times as balls, but for those that are fixed; pi is pi.
-Lookup<Ball> real_values(const ExactPoint& point, std::vector<Coordinate> fixed = {}) {
-  return [&point, fixed = std::move(fixed)](const std::string& name) {
-    for (const Coordinate& coordinate : fixed) {
-      if (coordinate.name == name) {
-        return Ball(coordinate.value);
-      }
-    }
-    return name == "pi" ? Ball::pi() : Ball(point.symbol(name).value());
-  };
+bool are_equal(const Sides<Exact>& at) {
+  return std::equal(at.left.data(), at.left.data() + at.left.size(), at.right.data(),
+                    [](const Exact& a, const Exact& b) { return a.value() == b.value(); });
 }
-
-// The claim's formulas at one point, in balls.
-struct BallSides {
-  ExactPoint point;
-  Sample<Ball> at;
-
-  BallSides(const Replacements& given, unsigned seed, const std::vector<Coordinate>& fixed = {})
-      : point(seed), at(given, real_values(point, fixed)) {}
-
-  [[nodiscard]] Sides<Ball> operator()(const Decided& decided) { return sides(decided, at); }
-};
 
 bool disjoint(const Sides<Ball>& at) {
   for (Eigen::Index i = 0; i < at.left.size(); ++i) {
@@ -172,7 +156,7 @@ bool fails(Relation relation, const Sides<Ball>& at) {
 bool fails_at(const Claim& claim, const Decided& decided, const Witness& witness) {
   const WorkingPrecision precision(256);
   const Given given(claim);
-  BallSides at(given.values, seed_of(claim), witness.point);
+  AtPoint<Ball> at(given.values, seed_of(claim), witness.point);
   return fails(decided.statement ? decided.statement->relation : Relation::equal, at(decided));
 }
 
@@ -192,15 +176,16 @@ int confirmed_exactly(const Claim& claim, const std::vector<Decided>& all, bool 
   const Given given(claim);
   int confirmed = 0;
   for (unsigned draw = 0; draw < draws && confirmed < exact_points; ++draw) {
-    ExactSides at(given.values, seed_of(claim) + draw);
+    AtPoint<Exact> at(given.values, seed_of(claim) + draw);
     try {
       const auto agrees = [&](const Decided& one) {
-        if (proved && !at(one)) {
+        const bool holds = are_equal(at(one));
+        if (proved && !holds) {
           Disagreement{claim}(name_of(one) + " is called proved and fails at a rational point");
         }
-        return proved || !at(one);
+        return proved || !holds;
       };
-      confirmed += std::all_of(all.begin(), all.end(), agrees) ? 1 : 0;
+      confirmed += std::ranges::all_of(all, agrees) ? 1 : 0;
     } catch (const ZeroDivision&) {
       continue;
     }
@@ -216,7 +201,7 @@ int confirmed_in_balls(const Claim& claim, const std::vector<Decided>& all) {
   const Given given(claim);
   int confirmed = 0;
   for (unsigned draw = 0; draw < draws && confirmed < ball_points; ++draw) {
-    BallSides at(given.values, seed_of(claim) + draw);
+    AtPoint<Ball> at(given.values, seed_of(claim) + draw);
     bool all_tell = true;
     for (const Decided& one : all) {
       const Sides<Ball> here = at(one);
@@ -232,8 +217,7 @@ int confirmed_in_balls(const Claim& claim, const std::vector<Decided>& all) {
 
 // The refuted formulas at the witness, where those of one must be disjoint.
 int confirmed_at_witness(const Claim& claim, const std::vector<Decided>& all, const Witness& witness) {
-  if (std::none_of(all.begin(), all.end(),
-                   [&](const Decided& one) { return fails_at(claim, one, witness); })) {
+  if (std::ranges::none_of(all, [&](const Decided& one) { return fails_at(claim, one, witness); })) {
     Disagreement{claim}("in balls, what is called refuted does not fail at the witness");
   }
   return 1;
@@ -242,7 +226,7 @@ int confirmed_at_witness(const Claim& claim, const std::vector<Decided>& all, co
 // Whether it differentiates symbols that stand for a motion.
 bool differentiates_motion(const Term& term) {
   return (term.op() == Op::derivative && !depends_on(term, "t")) ||
-         std::any_of(term.arguments().begin(), term.arguments().end(), differentiates_motion);
+         std::ranges::any_of(term.arguments(), differentiates_motion);
 }
 
 // What is said to be equal to a scalar without a value is its name.
@@ -297,9 +281,8 @@ std::vector<Decided> formulas(const Claim& claim, const Outcome& outcome, bool w
   result.insert(result.end(), outcome.decided.begin(), outcome.decided.end());
   if (with_printed && outcome.verdict.truth == Truth::proved) {
     for (const Statement& printed : claim.printed) {
-      const bool done = std::any_of(result.begin(), result.end(), [&](const Decided& one) {
-        return one.statement && equal(*one.statement, printed);
-      });
+      const bool done = std::ranges::any_of(
+          result, [&](const Decided& one) { return one.statement && equal(*one.statement, printed); });
       if (!done && printed.relation == Relation::equal && can_be_evaluated(printed)) {
         result.push_back({printed});
       }
@@ -309,7 +292,7 @@ std::vector<Decided> formulas(const Claim& claim, const Outcome& outcome, bool w
 }
 
 bool all_identities(Prover& prover, const std::set<std::string>& claims) {
-  return std::all_of(claims.begin(), claims.end(), [&](const std::string& id) {
+  return std::ranges::all_of(claims, [&](const std::string& id) {
     const Record& premise = prover.prove(id);
     return final_outcome(premise).cross_check.identity;
   });
@@ -347,7 +330,7 @@ CrossCheck cross_check(Prover& prover, const Claim& claim, const Outcome& outcom
   CrossCheck result;
   const bool proved = outcome.verdict.truth == Truth::proved;
   const std::string assumed = conditions(claim, outcome);
-  const bool evaluable = std::all_of(claim.printed.begin(), claim.printed.end(), can_be_evaluated);
+  const bool evaluable = std::ranges::all_of(claim.printed, can_be_evaluated);
   const bool unconditional = assumed.empty() && all_identities(prover, outcome.uses);
   result.identity = unconditional && evaluable && !claim.printed.empty() && proved;
   const std::vector<Decided> all = formulas(claim, outcome, unconditional);

@@ -5,7 +5,7 @@
 // 2. In balls, at random real parameters and times, by the model's templates: what is proved must contain
 //    zero in balls that are small; what is refuted must fail at the witness, for which both sides of < or !=
 //    may overlap, small.
-// What holds only under equations is evaluated at points where these hold, in balls (premise_point.hpp).
+// What holds only under equations is evaluated at points where these hold, in balls (premises.hpp).
 #pragma once
 
 #include "proofs/methods/prover.hpp"

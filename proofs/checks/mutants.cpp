@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "proofs/checks/edits.hpp"
-#include "proofs/checks/premise_point.hpp"
+#include "proofs/checks/premises.hpp"
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
@@ -40,12 +40,12 @@ struct Subject {
   }
 
   [[nodiscard]] bool contradicted(const Statement& statement) const {
-    return std::any_of(points.begin(), points.end(),
-                       [&](const PremisePoint& point) { return point.contradicts(statement); });
+    return std::ranges::any_of(points,
+                               [&](const PremisePoint& point) { return point.contradicts(statement); });
   }
   // At no point it has a value.
   [[nodiscard]] bool has_no_value(const Statement& statement) const {
-    return !points.empty() && std::none_of(points.begin(), points.end(), [&](const PremisePoint& point) {
+    return !points.empty() && std::ranges::none_of(points, [&](const PremisePoint& point) {
       return point.evaluates(statement);
     });
   }
@@ -54,7 +54,7 @@ struct Subject {
 // Whether all that is printed has values there, and comes out.
 bool shows(const PremisePoint& point, const std::vector<Statement>& printed) {
   try {
-    return std::all_of(printed.begin(), printed.end(), [&](const Statement& statement) {
+    return std::ranges::all_of(printed, [&](const Statement& statement) {
       return point.confirms(statement) && point.evaluates(statement);
     });
   } catch (const NoValue&) {
@@ -73,9 +73,8 @@ std::optional<Subject> subject(Prover& prover, const Claim& claim) {
     return std::nullopt;
   }
   const std::vector<Statement>& form = proved_form(record);
-  const bool equations = std::all_of(form.begin(), form.end(), [](const Statement& statement) {
-    return statement.relation == Relation::equal;
-  });
+  const bool equations = std::ranges::all_of(
+      form, [](const Statement& statement) { return statement.relation == Relation::equal; });
   Subject result{prover, record,
                  premise_points(premises_of(prover, record.claim, outcome),
                                 equations ? points_for_equations : points_for_inequalities)};
@@ -120,8 +119,8 @@ bool says_the_same(const Subject& subject, std::size_t which, const Statement& s
 }
 
 bool is_printed_too(const Subject& subject, const Statement& statement) {
-  return std::any_of(subject.form().begin(), subject.form().end(),
-                     [&](const Statement& printed) { return equal(printed, statement); });
+  return std::ranges::any_of(subject.form(),
+                             [&](const Statement& printed) { return equal(printed, statement); });
 }
 
 Judgement judge_proved(const Subject& subject, std::size_t which, const Statement& statement) {

@@ -52,7 +52,7 @@ struct Gate {
 
 // Of the claims with these ids (all if there are none). Claims that are not proved, are no formulas or
 // introduce names have neither mutants nor twins. Each mutant is put to the claim's own proof, the other
-// claims being as they are, and evaluated where all holds that the claim rests on (premise_point.hpp).
+// claims being as they are, and evaluated where all holds that the claim rests on (premises.hpp).
 [[nodiscard]] Gate mutant_gate(const std::vector<methods::Claim>& claims, const std::set<std::string>& ids,
                                const Sampling& sampling, const methods::Progress& progress);
 

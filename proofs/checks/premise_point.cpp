@@ -1,4 +1,4 @@
-#include "proofs/checks/premise_point.hpp"
+#include "proofs/checks/premises.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -99,8 +99,7 @@ std::vector<Statement> without_unknowns(const Premises& premises) {
   for (const Statement& one : premises.inequalities) {
     std::set<std::string> names = premises.reached(one.left);
     names.merge(premises.reached(one.right));
-    if (std::none_of(solved_for().begin(), solved_for().end(),
-                     [&](const std::string& name) { return names.contains(name); })) {
+    if (std::ranges::none_of(solved_for(), [&](const std::string& name) { return names.contains(name); })) {
       result.push_back(one);
     }
   }
@@ -137,9 +136,6 @@ struct PremisePoint::Point {
     }
     return scalars->lookup();
   }
-  [[nodiscard]] Value<Ball> value(const Term& side, const Term& other) const {
-    return evaluate_beside<Ball>(side, other, lookup());
-  }
   // For a state of either sign, the others positive.
   [[nodiscard]] Rational any_sign(const std::string& name) const {
     const Rational value = numbers.symbol(name).value();
@@ -147,7 +143,8 @@ struct PremisePoint::Point {
   }
   // Left less right, entry by entry.
   [[nodiscard]] Column difference(const Statement& statement) const {
-    const Value<Ball> d = value(statement.left, statement.right) - value(statement.right, statement.left);
+    const Sides<Ball> here = both_sides<Ball>(statement, lookup());
+    const Value<Ball> d = here.left - here.right;
     return {d.data(), d.data() + d.size()};
   }
 
@@ -163,10 +160,8 @@ struct PremisePoint::Point {
     std::vector<Column> A;
     Column constant;
     for (const Statement& one : premises.equations) {
-      const auto side = [&](const Term& here, const Term& other) {
-        return evaluate_beside<WithUnknowns>(here, other, scalars_here.lookup());
-      };
-      const Value<WithUnknowns> difference = side(one.left, one.right) - side(one.right, one.left);
+      const Sides<WithUnknowns> here = both_sides<WithUnknowns>(one, scalars_here.lookup());
+      const Value<WithUnknowns> difference = here.left - here.right;
       for (const WithUnknowns& entry : difference.reshaped()) {
         constant.push_back(entry.at_zero);
         A.emplace_back(names.size(), Ball(0));
@@ -184,53 +179,41 @@ struct PremisePoint::Point {
       solved.insert_or_assign(names[i], u[i]);
     }
     scalars.reset();
-    return std::all_of(premises.equations.begin(), premises.equations.end(), [this](const Statement& one) {
+    return std::ranges::all_of(premises.equations, [this](const Statement& one) {
       const Column left = difference(one);
-      return std::all_of(left.begin(), left.end(),
-                         [](const Ball& x) { return x.contains_zero() && is_small(x); });
+      return std::ranges::all_of(left, [](const Ball& x) { return x.contains_zero() && is_small(x); });
     });
   }
 
   [[nodiscard]] bool holds(const Statement& statement) const {
-    const Column d = difference(premises.with_motions(statement));
-    return std::all_of(d.begin(), d.end(), [&](const Ball& x) {
-      switch (statement.relation) {
+    const Statement here = with_less(premises.with_motions(statement));
+    return std::ranges::all_of(difference(here), [&](const Ball& x) {
+      switch (here.relation) {
         case Relation::equal:
           return x.contains_zero() && is_small(x);
         case Relation::not_equal:
           return x.is_nonzero();
         case Relation::less:
           return x.is_negative();
-        case Relation::less_or_equal:
+        default:
           return !x.is_positive() && is_small(x);
-        case Relation::greater:
-          return x.is_positive();
-        case Relation::greater_or_equal:
-          return !x.is_negative() && is_small(x);
       }
-      return false;
     });
   }
   [[nodiscard]] bool fails(const Statement& statement) const {
-    const bool strict = statement.relation == Relation::less || statement.relation == Relation::greater;
-    if (strict && equal(statement.left, statement.right)) {
+    if (with_less(statement).relation == Relation::less && equal(statement.left, statement.right)) {
       return true;
     }
-    const Column d = difference(premises.with_motions(statement));
-    return std::any_of(d.begin(), d.end(), [&](const Ball& x) {
-      switch (statement.relation) {
+    const Statement here = with_less(premises.with_motions(statement));
+    return std::ranges::any_of(difference(here), [&](const Ball& x) {
+      switch (here.relation) {
         case Relation::equal:
           return x.is_nonzero();
         case Relation::not_equal:
           return x.is_exact() && !x.is_nonzero();
-        case Relation::less:
-        case Relation::less_or_equal:
+        default:
           return x.is_positive();
-        case Relation::greater:
-        case Relation::greater_or_equal:
-          return x.is_negative();
       }
-      return false;
     });
   }
   [[nodiscard]] bool is_nonzero(const Hypothesis& hypothesis) const {
@@ -242,10 +225,10 @@ struct PremisePoint::Point {
   }
   // Whether the inequalities hold, and no hypothesis vanishes.
   [[nodiscard]] bool is_admissible() const {
-    return std::all_of(premises.inequalities.begin(), premises.inequalities.end(),
-                       [this](const Statement& statement) { return holds(statement); }) &&
-           std::all_of(premises.hypotheses.begin(), premises.hypotheses.end(),
-                       [this](const Hypothesis& hypothesis) { return is_nonzero(hypothesis); });
+    return std::ranges::all_of(premises.inequalities,
+                               [this](const Statement& statement) { return holds(statement); }) &&
+           std::ranges::all_of(premises.hypotheses,
+                               [this](const Hypothesis& hypothesis) { return is_nonzero(hypothesis); });
   }
 };
 
@@ -267,8 +250,7 @@ std::vector<PremisePoint> premise_points(const Premises& premises, std::size_t w
                             outside < draws_outside;
          ++seed) {
       const auto point = std::make_shared<PremisePoint::Point>(shared, seed);
-      if (!std::all_of(ranges.begin(), ranges.end(),
-                       [&](const Statement& one) { return point->holds(one); })) {
+      if (!std::ranges::all_of(ranges, [&](const Statement& one) { return point->holds(one); })) {
         continue;
       }
       if (!point->solve()) {
@@ -302,7 +284,7 @@ bool PremisePoint::contradicts(const Statement& statement) const {
 bool PremisePoint::evaluates(const Statement& statement) const {
   const WorkingPrecision precision(bits);
   const Column d = point_->difference(point_->premises.with_motions(statement));
-  return std::all_of(d.begin(), d.end(), is_small);
+  return std::ranges::all_of(d, is_small);
 }
 
 }  // namespace stickslip::proofs::checks

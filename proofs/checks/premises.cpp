@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "proofs/methods/assumptions.hpp"
-#include "proofs/symbols/derived.hpp"
+#include "proofs/symbols/sample.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
@@ -19,7 +19,7 @@ bool is_frequency(const std::string& name) {
 }
 
 bool is_solved_for(const std::string& name) {
-  return std::find(solved_for().begin(), solved_for().end(), name) != solved_for().end();
+  return std::ranges::find(solved_for(), name) != solved_for().end();
 }
 
 // A name whose value may be put in: no unknown, nothing that the model's formulas are made of or give.
@@ -35,7 +35,7 @@ bool in_terms_of_Z(const Term& term) {
   return (vocabulary_here().is_of_model() && term.op() == Op::function && term.name() == "Z") ||
          is_in_field(term) ||
          (!term.arguments().empty() && term.op() != Op::function &&
-          std::all_of(term.arguments().begin(), term.arguments().end(), in_terms_of_Z));
+          std::ranges::all_of(term.arguments(), in_terms_of_Z));
 }
 
 // The term with the motions put in.

@@ -19,8 +19,8 @@ using namespace symbols;
 namespace {
 
 const Assumption& assumption_of(const Claim& claim, const std::string& id) {
-  const auto found = std::find_if(claim.assumptions.begin(), claim.assumptions.end(),
-                                  [&](const Assumption& assumption) { return assumption.id == id; });
+  const auto found = std::ranges::find_if(claim.assumptions,
+                                          [&](const Assumption& assumption) { return assumption.id == id; });
   if (found == claim.assumptions.end()) {
     throw InternalError(fmt::format("claim {} does not assume {}", claim.id, id));
   }

@@ -5,15 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <functional>
 
 #include "core/error.hpp"
 #include "proofs/checks/premises.hpp"
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
-#include "proofs/methods/points.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/parse.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
@@ -26,42 +24,32 @@ using symbols::Statement;
 
 namespace {
 
-struct Method {
-  std::string route;
-  std::function<Outcome(Prover&, const Claim&)> prove;  // of a claim with one printed statement
-};
-
-Term difference(const Formula& equation) {
-  return equation.parts()[0] - equation.parts()[1];
-}
-
 // a ≠ b by the sign of a - b.
 Theorem differs(Derivation& derivation, const Formula& formula) {
   const Formula& same = formula.parts()[0];
-  const Term gap = same.parts()[1] == Term(0) ? same.parts()[0] : difference(same);
-  for (const bool turned : {false, true}) {
-    try {
-      const Theorem positive = derivation.positive(turned ? -gap : gap);
-      const Theorem nonzero = tactics::different(
-          turned ? derivation.order(less(gap, 0), {kernel::Positive{{positive}}}) : positive);
-      const Theorem zero = Theorem::combination(equal(gap, 0), {{Theorem::assume(same)}});
-      return derivation.without_divisors(
-          Theorem::consequence({Theorem::discharge(zero, same), nonzero}, formula));
-    } catch (const KernelError&) {
-      continue;
-    }
+  const Term gap = same.parts()[1] == Term(0) ? same.parts()[0] : same.parts()[0] - same.parts()[1];
+  const auto by_sign = tactics::first_that_works(std::array{false, true}, [&](bool turned) {
+    const Theorem positive = derivation.positive(turned ? -gap : gap);
+    const Theorem nonzero = tactics::different(
+        turned ? derivation.order(less(gap, 0), {kernel::Positive{{positive}}}) : positive);
+    const Theorem zero = Theorem::combination(equal(gap, 0), {{Theorem::assume(same)}});
+    return derivation.without_divisors(
+        Theorem::consequence({Theorem::discharge(zero, same), nonzero}, formula));
+  });
+  if (!by_sign) {
+    throw KernelError("the sign of the difference is not known");
   }
-  throw KernelError("the sign of the difference is not known");
+  return *by_sign;
 }
 
 // a ≤ b, where b - a is a square times what is positive.
 Theorem by_product(Derivation& derivation, const Formula& formula) {
-  return derivation.order(formula, {not_negative(derivation, formula.parts()[1] - formula.parts()[0])});
+  return derivation.order(formula, {not_negative(derivation, gap_of(formula))});
 }
 
 // a ≤ b or a < b, where b - a is a polynomial of degree two that is a sum of squares and of a constant.
 Theorem by_squares(Derivation& derivation, const Formula& formula) {
-  const Term gap = formula.parts()[1] - formula.parts()[0], opened = unfold(gap, derivation.open({gap}));
+  const Term gap = gap_of(formula), opened = unfold(gap, derivation.open({gap}));
   const tactics::Letters letters({opened});
   const PolynomialRing& ring = letters.ring();
   auto [rest, below] = letters.fraction(opened);
@@ -161,15 +149,9 @@ Theorem put_in(Derivation& derivation, const Formula& formula, std::size_t choic
   return directly(derivation, formula);
 }
 
-// Of a claim that says it under assumptions that are not made here.
-struct AssumesMore : KernelError {
-  using KernelError::KernelError;
-};
-
-// What a known claim says in these very words, under what is assumed here. Throws AssumesMore, or
-// KernelError.
-Theorem known_to_say(Derivation& derivation, const Formula& formula) {
-  std::string more;
+// What a known claim says in these very words, under what is assumed here. Throws KernelError; `assumes_more`
+// says then of a claim that says it under assumptions that are not made here.
+Theorem known_to_say(Derivation& derivation, const Formula& formula, std::string& assumes_more) {
   for (const Claim * one : derivation.prover().before(derivation.claim().id)) {
     const Claim& claim = *one;
     for (std::size_t i = 0; i < claim.printed.size(); ++i) {
@@ -181,10 +163,12 @@ Theorem known_to_say(Derivation& derivation, const Formula& formula) {
         Outcome ignored;
         try {
           derivation.record(ignored, theorem);
+          assumes_more.clear();
           return theorem;
         } catch (const KernelError&) {
-          more = fmt::format("{} says it, and assumes what is not assumed here: stickslip check {} --explain",
-                             claim.id, claim.id);
+          assumes_more =
+              fmt::format("{} says it, and assumes what is not assumed here: stickslip check {} --explain",
+                          claim.id, claim.id);
         }
       } catch (const KernelError&) {
         continue;
@@ -193,18 +177,45 @@ Theorem known_to_say(Derivation& derivation, const Formula& formula) {
       }
     }
   }
-  if (!more.empty()) {
-    throw AssumesMore(more);
-  }
-  throw KernelError("no claim says it");
+  throw KernelError(assumes_more.empty() ? "no claim says it" : assumes_more);
 }
 
-Method by(const std::string& route, const std::function<Theorem(Derivation&, const Formula&)>& derive) {
-  return {route, [=](Prover& prover, const Claim& claim) {
-            return derived(route, prover, claim, [&](Derivation& derivation, std::size_t which) {
-              return derive(derivation, derivation.read(claim.printed[which]));
-            });
-          }};
+// The methods, of a claim with one printed statement.
+Outcome by_itself_alone(Prover& prover, const Claim& claim) {
+  const bool is_equation = claim.printed.front().relation == symbols::Relation::equal;
+  return derived(is_equation ? "both sides have the same normal form, for all values of the symbols"
+                             : "the sign of the difference of both sides, for all values of the symbols",
+                 prover, claim, [](Derivation& derivation, std::size_t which) {
+                   return directly(derivation, derivation.printed(which));
+                 });
+}
+
+Outcome with_equations_put_in(Prover& prover, const Claim& claim) {
+  constexpr std::size_t most_choices = 24;
+  Outcome best;
+  bool exhausted = false;
+  for (std::size_t choice = 0; choice < most_choices && !exhausted; ++choice) {
+    Outcome outcome = derived("with the equations that are assumed put in", prover, claim,
+                              [&](Derivation& derivation, std::size_t which) {
+                                return put_in(derivation, derivation.printed(which), choice, exhausted);
+                              });
+    const bool proved = outcome.verdict.truth == Truth::proved;
+    if (best.verdict.truth != Truth::proved ||
+        (proved && outcome.hypotheses.size() < best.hypotheses.size())) {
+      best = std::move(outcome);
+    }
+    if (best.verdict.truth == Truth::proved && best.hypotheses.empty()) {
+      break;
+    }
+  }
+  return best;
+}
+
+Outcome as_combination(Prover& prover, const Claim& claim) {
+  return derived("a combination of the equations that are assumed", prover, claim,
+                 [](Derivation& derivation, std::size_t which) {
+                   return derivation.combined(derivation.printed(which));
+                 });
 }
 
 // With the assumed equations as rules, for matrices whose order matters.
@@ -226,10 +237,10 @@ Outcome rewritten(Prover& prover, const Claim& claim) {
   }
 }
 
-Outcome first_that_proves(const std::vector<Method>& methods, Prover& prover, const Claim& claim) {
+Outcome first_that_proves(Prover& prover, const Claim& claim) {
   std::optional<Outcome> first;
-  for (const Method& method : methods) {
-    Outcome outcome = method.prove(prover, claim);
+  for (const auto method : {by_itself_alone, with_equations_put_in, as_combination, rewritten}) {
+    Outcome outcome = method(prover, claim);
     if (outcome.verdict.truth == Truth::proved) {
       return outcome;
     }
@@ -238,55 +249,9 @@ Outcome first_that_proves(const std::vector<Method>& methods, Prover& prover, co
   std::string assumes_more;
   Outcome last =
       derived("a claim of the paper says it", prover, claim, [&](Derivation& derivation, std::size_t which) {
-        try {
-          return known_to_say(derivation, derivation.read(claim.printed[which]));
-        } catch (const AssumesMore& error) {
-          assumes_more = error.what();
-          throw;
-        }
+        return known_to_say(derivation, derivation.printed(which), assumes_more);
       });
-  if (last.verdict.truth == Truth::proved || !assumes_more.empty()) {
-    return last;
-  }
-  return *first;
-}
-
-std::vector<Method> methods_to_try() {
-  constexpr std::size_t most_choices = 24;
-  return {
-      {"",
-       [](Prover& prover, const Claim& claim) {
-         const bool is_equation = claim.printed.front().relation == symbols::Relation::equal;
-         return by(is_equation ? "both sides have the same normal form, for all values of the symbols"
-                               : "the sign of the difference of both sides, for all values of the symbols",
-                   directly)
-             .prove(prover, claim);
-       }},
-      {"with the equations that are assumed put in",
-       [](Prover& prover, const Claim& claim) {
-         Outcome best;
-         bool exhausted = false;
-         for (std::size_t choice = 0; choice < most_choices && !exhausted; ++choice) {
-           Outcome outcome =
-               derived("with the equations that are assumed put in", prover, claim,
-                       [&](Derivation& derivation, std::size_t which) {
-                         return put_in(derivation, derivation.read(claim.printed[which]), choice, exhausted);
-                       });
-           const bool proved = outcome.verdict.truth == Truth::proved;
-           if (best.verdict.truth != Truth::proved ||
-               (proved && outcome.hypotheses.size() < best.hypotheses.size())) {
-             best = std::move(outcome);
-           }
-           if (best.verdict.truth == Truth::proved && best.hypotheses.empty()) {
-             break;
-           }
-         }
-         return best;
-       }},
-      by("a combination of the equations that are assumed",
-         [](Derivation& derivation, const Formula& formula) { return derivation.combined(formula); }),
-      {"", rewritten},
-  };
+  return last.verdict.truth == Truth::proved || !assumes_more.empty() ? last : *first;
 }
 
 // The statements at points drawn at random, where they are not proved; and where a hypothesis of the proof
@@ -325,11 +290,7 @@ void add(Outcome& whole, const Outcome& part) {
 symbols::Names names_with(const std::vector<std::string>& further) {
   symbols::Names names = symbols::names_of(symbols::symbol_table());
   for (const std::string& name : further) {
-    const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
-                         std::ranges::all_of(name, [](char c) {
-                           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-                         });
-    if (!is_name) {
+    if (!symbols::is_name(name)) {
       throw UsageError(
           fmt::format("'{}' is no name for a symbol: a name is a letter of a to z or A to Z, then such "
                       "letters and digits, as alpha for α",
@@ -355,14 +316,14 @@ symbols::Names names_with(const std::vector<std::string>& further) {
 }  // namespace
 
 Proof automatically() {
-  return [methods = methods_to_try()](Prover& prover, const Claim& claim) {
+  return [](Prover& prover, const Claim& claim) {
     Outcome outcome;
     std::vector<std::string> routes;
     std::vector<Verdict> verdicts;
     for (const Statement& printed : claim.printed) {
       Claim one = claim;
       one.printed = {printed};
-      Outcome found = first_that_proves(methods, prover, one);
+      Outcome found = first_that_proves(prover, one);
       verdicts.push_back(found.verdict);
       if (std::ranges::find(routes, found.route) == routes.end()) {
         routes.push_back(found.route);

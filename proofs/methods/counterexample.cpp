@@ -7,7 +7,6 @@
 #include "core/error.hpp"
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/implications.hpp"
-#include "proofs/methods/points.hpp"
 #include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/sample.hpp"
@@ -52,8 +51,7 @@ Witness witness_of(const Statement& statement, const Scene& scene) {
       return name == "omega1" ? Ball(1) / Ball(2) : Ball(2);
     }
   });
-  const Value<Ball> left = evaluate_beside<Ball>(statement.left, statement.right, here.lookup()),
-                    right = evaluate_beside<Ball>(statement.right, statement.left, here.lookup());
+  const auto [left, right] = both_sides<Ball>(statement, here.lookup());
   Eigen::Index shown = 0;
   for (Eigen::Index i = left.size() - 1; i >= 0; --i) {
     shown = left(i).overlaps(right(i)) ? shown : i;

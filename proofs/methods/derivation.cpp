@@ -1,12 +1,13 @@
 #include "proofs/methods/derivation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
 #include "proofs/methods/assumptions.hpp"
-#include "proofs/methods/printed.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/methods/reading.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
@@ -24,8 +25,23 @@ bool occurs(const Term& part, const Term& term) {
   return !(replaced(term, part, fresh(part.type(), {term, part})) == term);
 }
 
+std::set<Term> parts_that(const Term& term, const std::function<bool(const Term&)>& are_so) {
+  std::set<Term> result;
+  if (are_so(term)) {
+    result.insert(term);
+  }
+  for (const Term& part : term.parts()) {
+    result.merge(parts_that(part, are_so));
+  }
+  return result;
+}
+
 bool is_inequality(const Formula& formula) {
   return formula.kind() == kernel::Kind::less || formula.kind() == kernel::Kind::at_most;
+}
+
+Term gap_of(const Formula& relation) {
+  return relation.parts()[1] - relation.parts()[0];
 }
 
 namespace {
@@ -42,15 +58,8 @@ std::size_t opened_size(const Term& term, const Definitions& definitions) {
 constexpr std::size_t longest_looked_into = 30000, longest_of_inequalities = 400;
 
 bool is_zero(const Term& number) {
-  try {
-    if (seems_zero({number}, {})) {
-      static_cast<void>(Theorem::combination(equal(number, 0)));
-      return true;
-    }
-    return false;
-  } catch (const KernelError&) {
-    return false;
-  }
+  const auto seems = attempt([&] { return seems_zero({number}, {}); });
+  return seems.value_or(false) && attempt([&] { return Theorem::combination(equal(number, 0)); });
 }
 
 }  // namespace
@@ -98,7 +107,7 @@ Derivation::Derivation(Prover& prover, const Claim& claim) : prover_(prover), cl
   }
   for (const Theorem& known : known_) {
     if (known.conclusion().kind() == kernel::Kind::less) {
-      const Term gap = known.conclusion().parts()[1] - known.conclusion().parts()[0];
+      const Term gap = gap_of(known.conclusion());
       if (opened_size(gap, openings({known.conclusion()}).in_parameters()) < longest_of_inequalities) {
         know(different(Theorem::order(less(0, gap), {Positive{{known}}})));
       }
@@ -246,10 +255,9 @@ Theorem Derivation::settled(Theorem theorem) {
         (is_divisor(one) && supplier == supplied_.end())) {
       continue;
     }
-    try {
-      theorem = Theorem::cut(supplier != supplied_.end() ? settled(*supplier) : follows(one), theorem);
-    } catch (const KernelError&) {
-      continue;
+    if (const auto lemma =
+            attempt([&] { return supplier != supplied_.end() ? settled(*supplier) : follows(one); })) {
+      theorem = Theorem::cut(*lemma, theorem);
     }
   }
   return without_divisors(theorem);
@@ -326,15 +334,10 @@ void Derivation::conclude(Outcome& outcome, const std::vector<Theorem>& theorems
 
 std::optional<Theorem> contradiction(Prover& prover, const Claim& claim) {
   Derivation derivation(prover, claim);
-  for (const Formula& absurd : {less(0, 0), equal(1, 0)}) {
-    try {
-      return derivation.settled(absurd.kind() == kernel::Kind::less ? derivation.follows(absurd)
-                                                                    : derivation.combined(absurd));
-    } catch (const KernelError&) {
-      continue;
-    }
-  }
-  return std::nullopt;
+  return first_that_works(std::array{less(0, 0), equal(1, 0)}, [&](const Formula& absurd) {
+    return derivation.settled(absurd.kind() == kernel::Kind::less ? derivation.follows(absurd)
+                                                                  : derivation.combined(absurd));
+  });
 }
 
 Outcome derived(const std::string& route, Prover& prover, const Claim& claim, const Derive& derive) {

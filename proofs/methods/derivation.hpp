@@ -27,6 +27,8 @@ class Derivation {
   [[nodiscard]] kernel::Term read(const symbols::Term& printed) { return read_(printed); }
   [[nodiscard]] kernel::Formula read(const symbols::Statement& statement) { return read_(statement); }
 
+  // What the claim prints, by its number from 0.
+  [[nodiscard]] kernel::Formula printed(std::size_t which) { return read_(claim_.printed[which]); }
   // With the values that the claim's assumptions give ("tau = pi/omega") wherever their symbols stand.
   [[nodiscard]] kernel::Term with_values(kernel::Term term) const;
 
@@ -125,7 +127,12 @@ using Derive = std::function<kernel::Theorem(Derivation&, std::size_t)>;
 
 // Whether the part stands somewhere in the term.
 [[nodiscard]] bool occurs(const kernel::Term& part, const kernel::Term& term);
+// The parts of the term, itself among them, of which this is so.
+[[nodiscard]] std::set<kernel::Term> parts_that(const kernel::Term& term,
+                                                const std::function<bool(const kernel::Term&)>& are_so);
 [[nodiscard]] bool is_inequality(const kernel::Formula& formula);
+// b - a for a = b, a < b or a ≤ b.
+[[nodiscard]] kernel::Term gap_of(const kernel::Formula& relation);
 
 // Products that are not negative.
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "proofs/methods/derivation.hpp"
-#include "proofs/methods/points.hpp"
+#include "proofs/methods/refutation.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
 
@@ -94,16 +94,15 @@ Theorem Derivation::with_fewest_given(const Problem& problem, const Rule& rule) 
 
 // What is to be zero for the rules order and combination: the difference of the sides, less what it is to be.
 std::vector<Term> Derivation::residual(const Problem& problem) {
-  const auto difference = [](const Formula& relation) { return relation.parts()[1] - relation.parts()[0]; };
   const bool equation = problem.goal.kind() == kernel::Kind::equal;
-  std::vector<Term> parts{equation ? -difference(problem.goal) : difference(problem.goal)};
+  std::vector<Term> parts{equation ? -gap_of(problem.goal) : gap_of(problem.goal)};
   for (const Multiple& multiple : problem.multiples) {
-    parts.push_back(multiple.left * difference(multiple.equation.conclusion()) * multiple.right);
+    parts.push_back(multiple.left * gap_of(multiple.equation.conclusion()) * multiple.right);
   }
   for (const Positive& positive : problem.positives) {
     Term product = Term(-positive.factor) * power(positive.square, 2);
     for (const Theorem& inequality : positive.inequalities) {
-      product = product * difference(inequality.conclusion());
+      product = product * gap_of(inequality.conclusion());
     }
     parts.push_back(product);
   }
@@ -211,23 +210,17 @@ Theorem Derivation::positive(const Term& a) {
 // ⊢ 0 < sin x for the sines in the term of which the assumptions say that 0 < x < pi.
 std::vector<Theorem> Derivation::positive_sines(const Term& term) {
   std::set<Term> arguments;
-  const auto visit = [&](const auto& self, const Term& part) -> void {
-    if (part.kind() == kernel::Kind::sine) {
-      arguments.insert(part.parts()[0]);
-    }
-    std::ranges::for_each(part.parts(), [&](const Term& inner) { self(self, inner); });
-  };
   if (!looks_at_sines_ && !known_.empty()) {
-    visit(visit, term);
+    for (const Term& sine :
+         parts_that(term, [](const Term& part) { return part.kind() == kernel::Kind::sine; })) {
+      arguments.insert(sine.parts()[0]);
+    }
   }
   const bool before = std::exchange(looks_at_sines_, true);  // an argument may have sines, too
   std::vector<Theorem> result;
   for (const Term& x : arguments) {
-    try {
-      result.push_back(
-          detach(Theorem::sine_is_positive(x), both({follows(less(0, x)), follows(less(x, pi()))})));
-    } catch (const KernelError&) {
-      continue;
+    if (const auto in_range = attempt([&] { return both({follows(less(0, x)), follows(less(x, pi()))}); })) {
+      result.push_back(detach(Theorem::sine_is_positive(x), *in_range));
     }
   }
   looks_at_sines_ = before;
@@ -253,40 +246,28 @@ Theorem Derivation::follows(const Formula& formula) {
   if (!is_inequality(formula)) {
     throw KernelError("there is no way to derive " + to_string(formula));
   }
-  const auto attempt = [&](const std::vector<Positive>& positives) -> std::optional<Theorem> {
-    try {
-      return order(formula, positives);
-    } catch (const KernelError&) {
-      return std::nullopt;
-    }
-  };
-  if (const auto theorem = formula.kind() == kernel::Kind::at_most ? attempt({}) : std::nullopt) {
-    return *theorem;
+  std::vector<std::vector<Positive>> sums;
+  if (formula.kind() == kernel::Kind::at_most) {
+    sums.emplace_back();
   }
   for (std::size_t i = 0; i < known_.size(); ++i) {
-    if (const auto theorem = attempt({Positive{{known_[i]}}})) {
-      return *theorem;
-    }
+    sums.push_back({Positive{{known_[i]}}});
     for (std::size_t j = 0; j < i; ++j) {
-      if (const auto theorem = attempt({Positive{{known_[i]}}, Positive{{known_[j]}}})) {
-        return *theorem;
-      }
+      sums.push_back({Positive{{known_[i]}}, Positive{{known_[j]}}});
     }
   }
-  const auto difference = [](const Formula& inequality) {
-    return inequality.parts()[1] - inequality.parts()[0];
-  };
+  if (const auto theorem =
+          first_that_works(sums, [&](const auto& positives) { return order(formula, positives); })) {
+    return *theorem;
+  }
   const Rule rule = [&](const Problem& one) {
-    for (const Positive& known : one.positives) {
-      try {
-        const Theorem factor =
-            positive(quotient(difference(one.goal), difference(known.inequalities[0].conclusion())));
-        return without_divisors(Theorem::order(one.goal, {Positive{{factor, known.inequalities[0]}}}));
-      } catch (const KernelError&) {
-        continue;
-      }
-    }
-    return without_divisors(Theorem::order(one.goal, {Positive{{positive(difference(one.goal))}}}));
+    const auto as_multiple = first_that_works(one.positives, [&](const Positive& known) {
+      const Theorem& inequality = known.inequalities[0];
+      const Theorem factor = positive(quotient(gap_of(one.goal), gap_of(inequality.conclusion())));
+      return without_divisors(Theorem::order(one.goal, {Positive{{factor, inequality}}}));
+    });
+    return as_multiple ? *as_multiple
+                       : without_divisors(Theorem::order(one.goal, {Positive{{positive(gap_of(one.goal))}}}));
   };
   Problem problem{formula};
   for (const Theorem& known : known_) {
@@ -306,10 +287,7 @@ Theorem Derivation::follows(const Formula& formula) {
 
 // As a multiple of an inequality that is known, and a positive rest without one of its letters.
 std::optional<Theorem> Derivation::with_rest(const Formula& formula, const Theorem& known) {
-  const auto difference = [](const Formula& inequality) {
-    return inequality.parts()[1] - inequality.parts()[0];
-  };
-  const Term goal = difference(formula), gap = difference(known.conclusion());
+  const Term goal = gap_of(formula), gap = gap_of(known.conclusion());
   const Letters letters({goal, gap});
   const auto slope_of = [&](const Fraction& fraction, std::size_t letter) -> std::optional<Rational> {
     const Polynomial slope = coefficient(fraction.above, letter, 1);

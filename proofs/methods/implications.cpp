@@ -73,10 +73,6 @@ std::vector<kernel::Multiple> multiples_of(Derivation& derivation, const std::ve
   return result;
 }
 
-kernel::Formula printed_formula(Derivation& derivation, std::size_t which) {
-  return derivation.read(derivation.claim().printed[which]);
-}
-
 // ⊢ 0 < coefficients, or 0 ≤ if that is enough, and the premises, as factors of one product.
 kernel::Positive positive_of(Derivation& derivation, const Positive& product, bool strictly = true) {
   kernel::Positive result{{}};
@@ -113,7 +109,7 @@ kernel::Theorem by_certificate(Derivation& derivation, const kernel::Formula& go
       const kernel::Positive& part = parts.back();
       kernel::Term value = part.factor;
       for (const kernel::Theorem& inequality : part.inequalities) {
-        value = value * (inequality.conclusion().parts()[1] - inequality.conclusion().parts()[0]);
+        value = value * gap_of(inequality.conclusion());
       }
       terms.push_back(value);
     }
@@ -159,7 +155,7 @@ Proof by_combination(std::vector<std::vector<Multiple>> combinations) {
   return by_kernel("each equation is a combination of the premises, identically",
                    [combinations = std::move(combinations)](Derivation& derivation, std::size_t which) {
                      require_count(derivation.claim(), combinations.size());
-                     return derivation.combination(printed_formula(derivation, which),
+                     return derivation.combination(derivation.printed(which),
                                                    multiples_of(derivation, combinations[which]));
                    });
 }
@@ -168,7 +164,7 @@ Proof by_positive_combination(std::vector<Certificate> certificates, std::option
   const auto derive = [certificates = std::move(certificates), positive_side = std::move(positive_side)](
                           Derivation& derivation, std::size_t which) {
     require_count(derivation.claim(), certificates.size());
-    const kernel::Formula printed = printed_formula(derivation, which);
+    const kernel::Formula printed = derivation.printed(which);
     if (printed.kind() != kernel::Kind::conjunction) {
       return by_certificate(derivation, printed, certificates[which]);
     }
@@ -186,7 +182,7 @@ Proof by_putting_in(std::vector<Premise> premises) {
                      for (const Premise& premise : premises) {
                        derivation.give(derivation.premise(premise));
                      }
-                     return derivation.combination(printed_formula(derivation, which));
+                     return derivation.combination(derivation.printed(which));
                    });
 }
 
@@ -199,7 +195,7 @@ Proof by_inverse(Premise product) {
 
 Proof by_zero_of_cosine(const ZeroOfCosine& step) {
   const auto derive = [=](Derivation& derivation, std::size_t which) {
-    const kernel::Formula printed = printed_formula(derivation, which);
+    const kernel::Formula printed = derivation.printed(which);
     const kernel::Term x = derivation.read(step.angle);
     const auto turns = [](const Rational& number) { return kernel::Term(number) * kernel::pi(); };
     kernel::Theorem zero = derivation.premise(step.zero);
@@ -222,7 +218,7 @@ Proof by_nonzero_multiple(const std::string& assumption, const Term& multiplier)
   const auto derive = [=](Derivation& derivation, std::size_t which) {
     using kernel::Theorem;
     const Theorem stated = derivation.premise(assuming(assumption));
-    const kernel::Formula printed = printed_formula(derivation, which);
+    const kernel::Formula printed = derivation.printed(which);
     const kernel::Formula zero = printed.parts().at(0);  // A = 0
     const kernel::Term B = stated.conclusion().parts().at(0).parts().at(0);
     const Theorem square =
@@ -258,7 +254,7 @@ Proof by_theorem(const std::string& route, kernel::Theorem (*make)()) {
 Proof by_definition() {
   return by_kernel("a definition: the names on the left stand for this",
                    [](Derivation& derivation, std::size_t which) {
-                     return derivation.combination(printed_formula(derivation, which));
+                     return derivation.combination(derivation.printed(which));
                    });
 }
 

@@ -21,7 +21,7 @@ namespace {
 const char * const normal_form_route = "both sides have the same normal form, for all values of the symbols";
 
 kernel::Theorem by_itself(Derivation& derivation, std::size_t which) {
-  return derivation.combination(derivation.read(derivation.claim().printed[which]));
+  return derivation.combination(derivation.printed(which));
 }
 
 // The printed statements that speak of nothing but what has a value.
@@ -290,20 +290,20 @@ Proof by_rewriting(std::vector<Premise> premises) {
 }
 
 Proof by_premises(std::vector<Premise> premises) {
-  return by_kernel(
-      "what the premises say; what they assume beyond this is supplied by the claims listed",
-      [premises = std::move(premises)](Derivation& derivation, std::size_t which) {
-        const Statement& printed = derivation.claim().printed[which];
-        for (const Premise& premise : premises) {
-          const std::vector<Statement> made = statements_of(derivation.prover(), derivation.claim(), premise);
-          const auto same = std::find_if(made.begin(), made.end(),
-                                         [&](const Statement& one) { return equal(one, printed); });
-          if (same != made.end()) {
-            return derivation.premise(premise, static_cast<std::size_t>(same - made.begin()));
-          }
-        }
-        throw kernel::KernelError("no premise says " + text(printed));
-      });
+  return by_kernel("what the premises say; what they assume beyond this is supplied by the claims listed",
+                   [premises = std::move(premises)](Derivation& derivation, std::size_t which) {
+                     const Statement& printed = derivation.claim().printed[which];
+                     for (const Premise& premise : premises) {
+                       const std::vector<Statement> made =
+                           statements_of(derivation.prover(), derivation.claim(), premise);
+                       const auto same = std::ranges::find_if(
+                           made, [&](const Statement& one) { return equal(one, printed); });
+                       if (same != made.end()) {
+                         return derivation.premise(premise, static_cast<std::size_t>(same - made.begin()));
+                       }
+                     }
+                     throw kernel::KernelError("no premise says " + text(printed));
+                   });
 }
 
 }  // namespace stickslip::proofs::methods

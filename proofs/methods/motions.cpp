@@ -52,12 +52,11 @@ Theorem literal(Derivation& derivation, const Formula& goal, const Theorems& kno
         tactics::by_rewriting(slope, derivation.combination(equal(value, goal.parts()[2]))));
   }
   for (const Theorem& one : known) {
-    if (one.conclusion().kind() == kernel::Kind::less) {
-      try {
-        return derivation.order(goal, {kernel::Positive{{one}}});
-      } catch (const KernelError&) {
-        continue;
-      }
+    const auto theorem = one.conclusion().kind() == kernel::Kind::less
+                             ? attempt([&] { return derivation.order(goal, {kernel::Positive{{one}}}); })
+                             : std::nullopt;
+    if (theorem) {
+      return *theorem;
     }
   }
   throw KernelError("not known in this case: " + to_string(goal));
@@ -126,7 +125,7 @@ Proof by_differential_equation(ClosedForm solution) {
     const Motion motion{part(phase, 0), part(phase, 1)};
     const kernel::Term from = motion.continuity.conclusion().parts()[1], flow = at_time(solution.flow),
                        forced = at_time(solution.forced);
-    const Formula printed = derivation.read(derivation.claim().printed[which]);
+    const Formula printed = derivation.printed(which);
     const kernel::Term z = kernel::lambda(time, printed.parts()[0]);
     const Theorem general = tactics::by_differential_equation(
         motion, z, flow, forced, time, {}, derivation.open({flow, forced, phase.conclusion(), z}),
@@ -164,8 +163,7 @@ Proof by_mean_value(MeanValue step) {
     const Theorem there = Theorem::assume(opened(mean.conclusion(), between_ends));
     const Theorem bounded = at(bound, between_ends, part(there, 0));
     return Theorem::choose(mean, between_ends,
-                           derivation.order(derivation.read(derivation.claim().printed[which]),
-                                            {kernel::Positive{{bounded, order}}},
+                           derivation.order(derivation.printed(which), {kernel::Positive{{bounded, order}}},
                                             {{part(there, 1), -1},
                                              {derivation.premise(assuming(step.ends)), row},
                                              {derivation.premise(assuming(step.begins)), -row}}));
@@ -175,8 +173,7 @@ Proof by_mean_value(MeanValue step) {
 
 Proof by_chain_rule(std::vector<Premise> premises, const std::optional<symbols::Term>& later) {
   const auto derive = [premises, later](Derivation& derivation, std::size_t which) {
-    const symbols::Statement& printed = derivation.claim().printed[which];
-    const AlmostAlways goal = read_as_almost_always(Theorem::assume(derivation.read(printed)));
+    const AlmostAlways goal = read_as_almost_always(Theorem::assume(derivation.printed(which)));
     const auto [from, to] = interval(goal.few.conclusion());
     Theorems few, continuities;
     for (const Premise& premise : premises) {
@@ -289,7 +286,7 @@ class Decrease {
 
 Proof by_decrease(Premise rate, symbols::Term weight) {
   const auto derive = [=](Derivation& derivation, std::size_t which) {
-    const Formula goal = derivation.read(derivation.claim().printed[which]);
+    const Formula goal = derivation.printed(which);
     const Decrease decrease(derivation, rate, weight, goal);
     const auto [a, b] = decrease.ends();
     const Theorem less_at_last =
@@ -302,7 +299,7 @@ Proof by_decrease(Premise rate, symbols::Term weight) {
 
 Proof by_periodic_decrease(PeriodicDecrease step) {
   const auto derive = [step = std::move(step)](Derivation& derivation, std::size_t which) {
-    const Formula goal = derivation.read(derivation.claim().printed[which]);
+    const Formula goal = derivation.printed(which);
     const Decrease decrease(derivation, step.rate, step.weight, goal);
     const kernel::Term a = decrease.ends().first, b = decrease.ends().second;
     const kernel::Term E = decrease.E();
@@ -350,14 +347,7 @@ std::optional<Theorem> sum_of(const Formula& formula, const Theorems& equations)
       }
     }
   }
-  for (const std::vector<kernel::Multiple>& sum : sums) {
-    try {
-      return Theorem::combination(formula, sum);
-    } catch (const KernelError&) {
-      continue;
-    }
-  }
-  return std::nullopt;
+  return first_that_works(sums, [&](const auto& sum) { return Theorem::combination(formula, sum); });
 }
 
 // What is assumed of almost all times of an interval, of one within.
@@ -416,7 +406,6 @@ Theorem supplied_with(Derivation& derivation, Theorem theorem, const Formulas& a
 
 Proof by_instances(std::vector<Instance> instances) {
   const auto derive = [instances = std::move(instances)](Derivation& derivation, std::size_t which) {
-    const symbols::Statement& printed = derivation.claim().printed[which];
     const Variable time{"t"};
     const Formulas assumed = derivation.assumed();
     std::vector<kernel::Multiple> sum;
@@ -435,7 +424,7 @@ Proof by_instances(std::vector<Instance> instances) {
       const Theorem here = Theorem::instantiate(derivation.premise(one.premise), functions);
       sum.push_back({supplied_with(derivation, here, assumed, supplied), derivation.read(one.left)});
     }
-    return derivation.combination(derivation.read(printed), sum);
+    return derivation.combination(derivation.printed(which), sum);
   };
   return by_kernel("a sum of the premises, of these motions and times", derive);
 }

@@ -1,4 +1,4 @@
-#include "proofs/methods/points.hpp"
+#include "proofs/methods/refutation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,9 @@
 #include <set>
 
 #include "proofs/methods/assumptions.hpp"
-#include "proofs/methods/printed.hpp"
+#include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/methods/reading.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
 
@@ -35,11 +36,11 @@ std::vector<Theorem> solved(Derivation& derivation, const Theorem& equation) {
     if (occurs(letter, slope) || occurs(letter, rest)) {
       continue;  // x in an equation with cos(x)
     }
-    try {
-      result.push_back(
-          derivation.combination(equal(letter, rest / slope), {{equation, letters.term(below) / slope, 1}}));
-    } catch (const KernelError&) {
-      continue;
+    if (const auto solution = tactics::attempt([&] {
+          return derivation.combination(equal(letter, rest / slope),
+                                        {{equation, letters.term(below) / slope, 1}});
+        })) {
+      result.push_back(*solution);
     }
   }
   return result;
@@ -84,10 +85,10 @@ class Draw {
 // Whether it holds nearly there; nothing where that cannot be said.
 std::optional<bool> holds_nearly(const Formula& formula, const tactics::Point& values) {
   constexpr double fault = 1e-9;
-  const auto gap = [&] { return tactics::estimated(formula.parts()[1] - formula.parts()[0], values); };
+  const auto gap = [&] { return tactics::estimated(gap_of(formula), values); };
   switch (formula.kind()) {
     case kernel::Kind::equal: {
-      const Term difference = formula.parts()[1] - formula.parts()[0];
+      const Term difference = gap_of(formula);
       const Type& type = difference.type();
       for (int k = 0; k < type.rows * type.columns; ++k) {
         const Term one =
@@ -186,6 +187,47 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
   return result;
 }
 
+// Up to `most` scenes, drawn at random, the same on every run, at which all that the claim assumes of numbers
+// holds nearly and `failing`, if it is given, does not. Assumed equations between numbers are solved for one
+// of their symbols each where they are linear in one. None where `failing` speaks of motions.
+std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optional<Statement>& failing,
+                          std::size_t most) {
+  constexpr std::size_t most_choices = 8;
+  constexpr std::size_t draws = 1000;
+  // An equation of analytic terms that holds at so many points in turn, whatever is assumed, holds at all.
+  constexpr std::size_t most_agreeing = 40;
+  Derivation derivation(prover, claim);
+  std::vector<Scene> result;
+  Draw draw;
+  for (std::size_t choice = 0; choice < most_choices; ++choice) {
+    const std::optional<Unknowns> open = unknowns(derivation, failing, choice);
+    if (!open ||
+        std::ranges::any_of(open->drawn, [](const Variable& one) { return one.type != real_number; })) {
+      break;
+    }
+    std::size_t agreeing = 0;
+    for (std::size_t k = 0; k < draws && result.size() < most && agreeing < most_agreeing; ++k) {
+      tactics::Point values;
+      Scene scene{.values = open->values};
+      for (const Variable& name : open->drawn) {
+        scene.point.push_back({name.name, values.emplace(name, draw.value(name.name, k)).first->second});
+      }
+      const auto holds = open->failing ? holds_nearly(*open->failing, values) : std::optional(false);
+      if (holds != std::optional(false)) {
+        agreeing += holds && open->failing->kind() == kernel::Kind::equal ? 1 : 0;
+        continue;
+      }
+      agreeing = 0;
+      if (std::ranges::all_of(open->conditions, [&](const Formula& one) {
+            return holds_nearly(one, values) == std::optional(true);
+          })) {
+        result.push_back(std::move(scene));
+      }
+    }
+  }
+  return result;
+}
+
 // The first scene at which the kernel says so, with its theorem: all of `holding`, and not `failing`.
 std::optional<std::pair<Scene, Theorem>> said_at_point(Prover& prover, const Claim& claim,
                                                        const std::vector<Statement>& holding,
@@ -194,13 +236,9 @@ std::optional<std::pair<Scene, Theorem>> said_at_point(Prover& prover, const Cla
   constexpr std::size_t most_attempts = 12;
   const std::vector<Statement> failed = failing ? std::vector<Statement>{*failing} : std::vector<Statement>{};
   try {
-    for (const Scene& scene : scenes(prover, claim, doubted ? doubted : failing, most_attempts)) {
-      try {
-        return std::pair(scene, refutation(prover, scene, holding, failed));
-      } catch (const KernelError&) {
-        continue;
-      }
-    }
+    return tactics::first_that_works(
+        scenes(prover, claim, doubted ? doubted : failing, most_attempts),
+        [&](const Scene& scene) { return std::pair(scene, refutation(prover, scene, holding, failed)); });
   } catch (const KernelError&) {  // no floating point says where to look
   } catch (const symbols::NoValue&) {
   }
@@ -255,44 +293,6 @@ Claim with_hypotheses(const Claim& claim, const std::vector<Hypothesis>& hypothe
   Claim result = claim;
   for (const Hypothesis& one : hypotheses) {
     result.assumptions.push_back({"hypothesis", {one.nonzero, 0, symbols::Relation::not_equal}});
-  }
-  return result;
-}
-
-std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optional<Statement>& failing,
-                          std::size_t most) {
-  constexpr std::size_t most_choices = 8;
-  constexpr std::size_t draws = 1000;
-  // An equation of analytic terms that holds at so many points in turn, whatever is assumed, holds at all.
-  constexpr std::size_t most_agreeing = 40;
-  Derivation derivation(prover, claim);
-  std::vector<Scene> result;
-  Draw draw;
-  for (std::size_t choice = 0; choice < most_choices; ++choice) {
-    const std::optional<Unknowns> open = unknowns(derivation, failing, choice);
-    if (!open ||
-        std::ranges::any_of(open->drawn, [](const Variable& one) { return one.type != real_number; })) {
-      break;
-    }
-    std::size_t agreeing = 0;
-    for (std::size_t k = 0; k < draws && result.size() < most && agreeing < most_agreeing; ++k) {
-      tactics::Point values;
-      Scene scene{.values = open->values};
-      for (const Variable& name : open->drawn) {
-        scene.point.push_back({name.name, values.emplace(name, draw.value(name.name, k)).first->second});
-      }
-      const auto holds = open->failing ? holds_nearly(*open->failing, values) : std::optional(false);
-      if (holds != std::optional(false)) {
-        agreeing += holds && open->failing->kind() == kernel::Kind::equal ? 1 : 0;
-        continue;
-      }
-      agreeing = 0;
-      if (std::ranges::all_of(open->conditions, [&](const Formula& one) {
-            return holds_nearly(one, values) == std::optional(true);
-          })) {
-        result.push_back(std::move(scene));
-      }
-    }
   }
   return result;
 }

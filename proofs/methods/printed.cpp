@@ -1,4 +1,4 @@
-#include "proofs/methods/printed.hpp"
+#include "proofs/methods/reading.hpp"
 
 #include <algorithm>
 #include <numeric>

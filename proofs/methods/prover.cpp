@@ -11,7 +11,7 @@
 #include "core/interruption.hpp"
 #include "proofs/checks/cross_check.hpp"
 #include "proofs/checks/mutants.hpp"
-#include "proofs/checks/premise_point.hpp"
+#include "proofs/checks/premises.hpp"
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/gate.hpp"
@@ -92,37 +92,6 @@ std::vector<Hypothesis> open_at(std::vector<Hypothesis> hypotheses, const std::v
 bool says_contradiction(const std::vector<Statement>& form) {
   return form.size() == 1 && equal(form[0].left, form[0].right) &&
          (form[0].relation == Relation::less || form[0].relation == Relation::greater);
-}
-
-// Proves all claims of a list, or those asked for.
-
-Audit prove_all(Prover& prover, const std::vector<std::string>& ids, const Progress& progress) {
-  Audit result;
-  for (const std::string& id : ids) {
-    progress(id, result.records.size(), ids.size());
-    try {
-      const Record& record = prover.prove(id);
-      if (interrupted()) {
-        break;  // what this claim rests on may have been cut short
-      }
-      result.records.push_back(record);
-    } catch (const Error&) {
-      if (!interrupted()) {
-        throw;
-      }
-      break;
-    }
-  }
-  for (Record& record : result.records) {
-    for (const Record& other : result.records) {
-      if (other.outcome.uses.contains(record.claim.id) ||
-          (other.corrected && other.corrected->uses.contains(record.claim.id)) ||
-          (other.converse && other.converse->uses.contains(record.claim.id))) {
-        record.used_by.insert(other.claim.id);
-      }
-    }
-  }
-  return result;
 }
 
 }  // namespace
@@ -404,7 +373,32 @@ Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids, 
     }
   }
   prover.begin(asked);
-  return prove_all(prover, asked, progress);
+  Audit result;
+  for (const std::string& id : asked) {
+    progress(id, result.records.size(), asked.size());
+    try {
+      const Record& record = prover.prove(id);
+      if (interrupted()) {
+        break;  // what this claim rests on may have been cut short
+      }
+      result.records.push_back(record);
+    } catch (const Error&) {
+      if (!interrupted()) {
+        throw;
+      }
+      break;
+    }
+  }
+  for (Record& record : result.records) {
+    for (const Record& other : result.records) {
+      if (other.outcome.uses.contains(record.claim.id) ||
+          (other.corrected && other.corrected->uses.contains(record.claim.id)) ||
+          (other.converse && other.converse->uses.contains(record.claim.id))) {
+        record.used_by.insert(other.claim.id);
+      }
+    }
+  }
+  return result;
 }
 
 Audit audit(const std::vector<Claim>& claims, const std::set<std::string>& ids) {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <tuple>
 
-#include "proofs/symbols/derived.hpp"
 #include "proofs/symbols/evaluate.hpp"
+#include "proofs/symbols/sample.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/tactics/model_terms.hpp"
 #include "proofs/tactics/tactics.hpp"
@@ -54,8 +54,8 @@ Term joined_blocks(const symbols::Shape& shape, const std::vector<Term>& blocks)
   std::size_t top = 0;
   for (const Term& one : blocks) {
     if (static_cast<int>(rows[top].size()) == shape.columns) {
-      top = static_cast<std::size_t>(
-          std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.empty(); }) - rows.begin());
+      top = static_cast<std::size_t>(std::ranges::find_if(rows, [](const auto& row) { return row.empty(); }) -
+                                     rows.begin());
     }
     for (int i = 0; i < one.type().rows; ++i) {
       for (int j = 0; j < one.type().columns; ++j) {
@@ -84,7 +84,7 @@ Term integer_power(const Term& base, const Rational& exponent) {
 Term defined(const std::string& name, const std::vector<Variable>& first, const Term& body) {
   std::vector<Variable> parameters = first;
   for (const Variable& variable : body.variables()) {
-    if (std::find(parameters.begin(), parameters.end(), variable) == parameters.end()) {
+    if (std::ranges::find(parameters, variable) == parameters.end()) {
       parameters.push_back(variable);
     }
   }
@@ -214,8 +214,8 @@ Term Reader::operator()(const symbols::Term& printed) {
     case Op::determinant:
       return determinant(parts[0]);
     case Op::derivative: {
-      const auto known = std::find_if(rates_.begin(), rates_.end(),
-                                      [&](const auto& rate) { return rate.second == parts[0]; });
+      const auto known =
+          std::ranges::find_if(rates_, [&](const auto& rate) { return rate.second == parts[0]; });
       if (known != rates_.end()) {
         return apply(known->first, time);
       }
@@ -246,19 +246,17 @@ bool is_absolute_value(const symbols::Term& term) {
 
 Formula Reader::relation(const symbols::Statement& statement) {
   using symbols::Relation;
-  const bool turned =
-      statement.relation == Relation::greater || statement.relation == Relation::greater_or_equal;
-  const bool strict = statement.relation == Relation::less || statement.relation == Relation::greater;
   const auto side = [this](const symbols::Term& one, const symbols::Term& other) {
-    return one.is_zero() ? filled(other.shape(), [](int, int) { return Term(0); }) : (*this)(one);
+    return one.is_zero() ? zero(real_matrix(other.shape().rows, other.shape().columns)) : (*this)(one);
   };
   if (statement.relation == Relation::equal || statement.relation == Relation::not_equal) {
     const Term left = side(statement.left, statement.right), right = side(statement.right, statement.left);
     return statement.relation == Relation::equal ? equal(left, right) : differ(left, right);
   }
-  const symbols::Term &lower = turned ? statement.right : statement.left,
-                      &upper = turned ? statement.left : statement.right;
-  const auto below = [&](const Term& a, const Term& b) { return strict ? less(a, b) : at_most(a, b); };
+  const symbols::Statement here = with_less(statement);
+  const symbols::Term &lower = here.left, &upper = here.right;
+  const bool strict = here.relation == Relation::less;
+  const auto below = [strict](const Term& a, const Term& b) { return strict ? less(a, b) : at_most(a, b); };
   if (is_absolute_value(lower)) {
     const Term inside = (*this)(lower.arguments().front()), bound = (*this)(upper);
     return kernel::all({below(-bound, inside), below(inside, bound)});
@@ -307,7 +305,7 @@ Formula Reader::at_one_time(const symbols::Statement& statement) {
     throw NoValue("a derivative is equal to something: " + text(statement));
   }
   const Term value = statement.right.is_zero()
-                         ? filled(statement.left.shape(), [](int, int) { return Term(0); })
+                         ? zero(real_matrix(statement.left.shape().rows, statement.left.shape().columns))
                          : (*this)(statement.right);
   return derivative(lambda(time, (*this)(statement.left.arguments().front())), time, value);
 }

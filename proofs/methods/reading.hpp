@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "proofs/kernel/term.hpp"
 #include "proofs/kernel/theorem.hpp"
+#include "proofs/methods/claim.hpp"
 #include "proofs/symbols/term.hpp"
 
 namespace stickslip::proofs::methods {
@@ -53,5 +55,19 @@ struct Bounds {
   std::optional<Rational> lower, upper;
 };
 [[nodiscard]] Bounds bounds_of(const std::string& parameter);
+
+// Kernel terms of numbers as they are printed (printed.cpp).
+
+// Both throw symbols::NoValue for what has no print, a function of time applied or an entry of a vector.
+
+// As it is built.
+[[nodiscard]] symbols::Term printed_term(const kernel::Term& number);
+// As a quotient of sums of monomials, those of low degree first; so are the arguments of cosines and sines.
+// Throws KernelError where that would take too long.
+[[nodiscard]] symbols::Term neat_term(const kernel::Term& number);
+
+// That the factor is not zero: of f and -f the one whose first term is positive. `origin` is the id of the
+// claim whose proof divides by it.
+[[nodiscard]] Hypothesis hypothesis(const kernel::Term& factor, const std::string& origin);
 
 }  // namespace stickslip::proofs::methods

@@ -8,7 +8,6 @@
 
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
-#include "proofs/methods/points.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/symbols/meaning.hpp"
 #include "proofs/symbols/table.hpp"
@@ -83,22 +82,8 @@ std::vector<Term> closed_forms(Derivation& derivation, const std::vector<symbols
         term = replaced(term, one.parts()[0], one.parts()[1]);
       }
     }
-    std::set<Term> states;
-    const auto visit = [&](const auto& self, const Term& part) -> void {
-      if (is_state(part)) {
-        states.insert(part);
-      }
-      std::ranges::for_each(part.parts(), [&](const Term& inner) { self(self, inner); });
-    };
-    visit(visit, term);
-    for (const Term& state : states) {
-      const Type& type = state.type();
-      term = replaced(
-          term, state,
-          type.is_scalar()
-              ? Term(0)
-              : matrix(type.rows, type.columns,
-                       std::vector<Term>(static_cast<std::size_t>(type.rows * type.columns), Term(0))));
+    for (const Term& state : parts_that(term, is_state)) {
+      term = replaced(term, state, zero(state.type()));
     }
     result.push_back(kernel::lambda(time_variable, term));
   }
@@ -183,12 +168,7 @@ class Joined {
     return at(agrees_[k], time, certainly(within(pieces_[k].from, time, pieces_[k].to)));
   }
   [[nodiscard]] std::size_t piece_at(const Term& time) const {
-    try {
-      (void)certainly(less(time, pieces_[0].to));
-      return 0;
-    } catch (const KernelError&) {
-      return 1;
-    }
+    return attempt([&] { return certainly(less(time, pieces_[0].to)); }) ? 0 : 1;
   }
   // "X is continuous on [from, to], and X' = v at each time between", from the same of the function.
   [[nodiscard]] Theorem moves(std::size_t k, const Formula& phase, const Theorem& of_function) const {
@@ -293,12 +273,12 @@ class Place {
     }
     const Formula open = substitute(formula, motion_);
     if (open.kind() == kernel::Kind::equal) {
-      try {
-        return without_hypotheses(Theorem::instantiate(derivation_.combination(open), values_));
-      } catch (const KernelError&) {  // it may hold at this point only
-        return certainly(substitute(open, values_));
+      if (const auto always = attempt([&] {
+            return without_hypotheses(Theorem::instantiate(derivation_.combination(open), values_));
+          })) {
+        return *always;
       }
-    }
+    }  // or it may hold at this point only
     return certainly(substitute(open, values_));
   }
   [[nodiscard]] Theorem fails(const Formula& formula) {
@@ -311,15 +291,14 @@ class Place {
   // The first of the functions, for its motion, that obeys the phase, with the theorem. Throws KernelError if
   // none does.
   [[nodiscard]] std::pair<Term, Theorem> moving(const Formula& phase, const std::vector<Term>& functions) {
-    for (const Term& one : functions) {
-      try {
-        const Theorem open = obeys(derivation_, substitute(phase, {{motion_of(phase), one}}));
-        return {one, without_hypotheses(Theorem::instantiate(open, values_))};
-      } catch (const KernelError&) {
-        continue;
-      }
+    const auto found = first_that_works(functions, [&](const Term& one) {
+      const Theorem open = obeys(derivation_, substitute(phase, {{motion_of(phase), one}}));
+      return std::pair(one, without_hypotheses(Theorem::instantiate(open, values_)));
+    });
+    if (!found) {
+      throw KernelError("no motion is known that obeys " + to_string(phase));
     }
-    throw KernelError("no motion is known that obeys " + to_string(phase));
+    return *found;
   }
   Theorem move(const Formula& phase, const std::vector<Term>& functions) {
     const auto [function, theorem] = moving(phase, functions);
@@ -353,7 +332,7 @@ class Place {
   }
 
   // ⊢ there are values of all its variables with the formula, which holds here.
-  [[nodiscard]] Theorem exists(const Formula& formula, Theorem theorem) const {
+  [[nodiscard]] Theorem exists(const Formula& formula, const Theorem& theorem) const {
     Substitution all = values_;
     if (joined_) {
       all.emplace(Variable{"X", functions_[0].type()}, Variable{"X", functions_[0].type()});
@@ -367,15 +346,8 @@ class Place {
         throw KernelError(name.name + " has no value at this point");
       }
     }
-    std::vector<Formula> steps{formula};  // with the last variables bound
-    for (auto name = names.rbegin(); name != names.rend(); ++name) {
-      steps.push_back(kernel::exists(*name, steps.back()));
-    }
-    for (std::size_t bound = 1; bound <= names.size(); ++bound) {
-      const Variable& name = names[names.size() - bound];
-      theorem = Theorem::witness(theorem, substitute(steps[bound], all), all.at(name));
-    }
-    return joined_ ? joined_->closed(theorem) : theorem;
+    const Theorem there = there_are(names, formula, all, theorem);
+    return joined_ ? joined_->closed(there) : there;
   }
 
  private:
@@ -384,13 +356,11 @@ class Place {
   [[nodiscard]] Theorem of_pieces(const Formula& formula, const Prove& prove) {
     const Variable X{"X", functions_[0].type()};
     std::set<Term> times;
-    const auto visit = [&](const auto& self, const Term& term) -> void {
-      if (term.kind() == kernel::Kind::apply && term.parts()[0] == Term(X)) {
-        times.insert(term.parts()[1]);
-      }
-      std::ranges::for_each(term.parts(), [&](const Term& one) { self(self, one); });
-    };
-    visit(visit, formula);
+    for (const Term& state : parts_that(formula, [&](const Term& term) {
+           return term.kind() == kernel::Kind::apply && term.parts()[0] == Term(X);
+         })) {
+      times.insert(state.parts()[1]);
+    }
     const auto joined = std::exchange(joined_, std::nullopt);
     Formula open = formula;
     std::vector<std::pair<Term, std::size_t>> pieces;

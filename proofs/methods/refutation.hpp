@@ -9,6 +9,7 @@
 
 namespace stickslip::proofs::methods {
 
+class Derivation;
 class Prover;
 
 // Values of symbols: rational ones, and those that are given in terms of others, "symbol = value". A motion
@@ -43,8 +44,32 @@ void look_for_witness(Outcome& outcome, Prover& prover, const Claim& claim);
 // nothing where none was found.
 [[nodiscard]] std::optional<kernel::Theorem> obeying_values(Prover& prover, const Claim& claim,
                                                             const std::vector<Hypothesis>& hypotheses = {});
-// The same, at points drawn at random (points.hpp): longer work, for what speaks of numbers alone.
+// The same, at points drawn at random (points.cpp): longer work, for what speaks of numbers alone.
 [[nodiscard]] std::optional<kernel::Theorem> obeying_point(Prover& prover, const Claim& claim,
                                                            const std::vector<Hypothesis>& hypotheses = {});
+
+// Where to look for witnesses: points in the parameters' domain at which statements hold, or fail, nearly.
+// Floats propose, the refutation decides (points.cpp).
+
+// What a claim assumes; and the claim that assumes the hypotheses, too.
+[[nodiscard]] std::vector<symbols::Statement> assumed_statements(const Claim& claim);
+[[nodiscard]] Claim with_hypotheses(const Claim& claim, const std::vector<Hypothesis>& hypotheses);
+
+// The statement refuted at such a point, perhaps one where an equation more holds, or one at which `doubted`
+// fails in its place.
+[[nodiscard]] std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim,
+                                                      const symbols::Statement& printed,
+                                                      const std::optional<symbols::Statement>& where = {},
+                                                      const std::optional<symbols::Statement>& doubted = {});
+
+// Neither of vectors or matrices, nor of functions.
+[[nodiscard]] bool is_equation_of_numbers(const kernel::Formula& formula);
+
+// The assumed equations between numbers, one after the other solved for a letter in which it is linear:
+// letter = value, the letters before put in. A letter is a variable, or a cosine and the like if
+// `any_letter`. `choice` counts the ways to choose the letters; nothing where there are no more. Those that
+// can't be solved are left out.
+[[nodiscard]] std::optional<std::vector<kernel::Theorem>> solved_in_turn(Derivation& derivation,
+                                                                         std::size_t choice, bool any_letter);
 
 }  // namespace stickslip::proofs::methods

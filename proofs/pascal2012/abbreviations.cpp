@@ -1,4 +1,4 @@
-#include "proofs/pascal2012/abbreviations.hpp"
+#include "proofs/pascal2012/claims.hpp"
 
 #include <algorithm>
 #include <string>

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "proofs/kernel/theorem.hpp"
 #include "proofs/methods/claim.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -50,5 +51,11 @@ using Proofs = std::map<std::string, methods::Proof>;
 // Of Fig. 3 all of it; at its data: a zero of (23) that is no orbit.
 [[nodiscard]] std::vector<methods::Claim> example_O();
 [[nodiscard]] methods::Claim spurious_zero();
+
+// Names for what is long in many statements, for certificates and their readers.
+// Unit matrices and E; the matrices of X' = A X + … in slip and stick; and that a motion X obeys (2) with
+// u = u_s or u = -u_s, or (9), from time a to time b: continuous there, with that derivative between. Later
+// ones use earlier ones.
+[[nodiscard]] std::vector<kernel::Definition> abbreviations();
 
 }  // namespace stickslip::proofs::pascal2012

@@ -42,8 +42,7 @@ Proof exists(const std::string& example) {
 // The first on a moving belt of which every condition is proved.
 const Orbit& orbit_on_moving_belt() {
   const std::vector<Orbit>& all = orbits_of(on_a_moving_belt()).list.orbits;
-  const auto found =
-      std::ranges::find_if(all, [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; });
+  const auto found = std::ranges::find_if(all, is_admissible);
   if (found == all.end()) {
     throw kernel::KernelError("no orbit on a moving belt is proved at the data");
   }
@@ -61,12 +60,8 @@ Outcome only_at_rest(Prover&, const Claim&) {
   Outcome outcome = at_the_data(on_a_moving_belt(), {});
   const std::vector<Coordinate> point = std::exchange(outcome.at, {});
   outcome.uses = {"28.reduced"};
-  outcome.verdict = Verdict::refuted(Witness{point,
-                                             {},
-                                             Ball(on_a_moving_belt().data.V),
-                                             Ball(0),
-                                             "the velocity of the belt, $V$,",
-                                             "what the paper asks for"});
+  outcome.verdict = differs_at(point, Ball(on_a_moving_belt().data.V), Ball(0),
+                               "the velocity of the belt, $V$,", "what the paper asks for");
   prove(outcome, [] { return of_moving_belt(orbits::stability_theorem); });
   if (outcome.by_kernel) {
     const Orbit& orbit = orbit_on_moving_belt();
@@ -135,12 +130,8 @@ Outcome steady(Prover& prover, const Claim&) {
     return outcome;
   }
   const ComplexBall& largest = printed_orbit(example).stability->multipliers.front();
-  outcome.verdict = Verdict::refuted(Witness{outcome.at,
-                                             {},
-                                             sqrt(largest.squared_modulus()),
-                                             Ball(1),
-                                             "the modulus of the multiplier",
-                                             "what it exceeds"});
+  outcome.verdict = differs_at(outcome.at, sqrt(largest.squared_modulus()), Ball(1),
+                               "the modulus of the multiplier", "what it exceeds");
   outcome.theorems = prover.prove("S.stability").outcome.theorems;
   outcome.by_kernel = !outcome.theorems.empty();
   return outcome;

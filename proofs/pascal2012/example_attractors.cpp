@@ -42,10 +42,9 @@ Claim attractors_of(const Example& example, long starts, bool attracts) {
           "of {} random starts at the data of {} {}; shares, with 95 % of confidence", starts, example.figure,
           attracts ? "more end on its orbit than on any other motion" : "none ends on its orbit"),
       .prove = [&example, starts, attracts](Prover&, const Claim&) {
-        Outcome outcome = at_the_data(example,
-                                      "simulation of the law (4) in floating point, of which "
-                                      "periodic motions are proved");
-        outcome.uses = {example.name + ".orbit"};
+        Outcome outcome = of_its_orbit(example,
+                                       "simulation of the law (4) in floating point, of which "
+                                       "periodic motions are proved");
         AttractorQuestion question;
         question.machine = {.data = example.data, .ur = friction_of(example), .digits = 10};
         question.starts = starts;

@@ -9,9 +9,7 @@
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_o_closing.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
-#include "proofs/symbols/closing.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -25,10 +23,6 @@ namespace {
 
 const Example& printed() {
   return example_named("O");
-}
-
-PrintedPlace where() {
-  return {printed(), "O.orbit", "Krawczyk's test in balls on equations equivalent to (18)-(20)"};
 }
 
 Claim number(const std::string& id, Origin origin, const std::string& words, Proof prove) {
@@ -137,7 +131,7 @@ Claim by_22(const std::string& name,
             tactics::Symbolic model::CramerDeterminants<tactics::Symbolic>::*member) {
   using tactics::Symbolic;
   return computed_from(
-      where(), name, "(22) with $T = Theta - tau - tau_1$",
+      printed(), name, "(22) with $T = Theta - tau - tau_1$",
       [of_balls] {
         return of_balls(
             model::cramer<Ball>(closing_of_O(exactly("tau"), exactly("tau1"), model::Reading::derived)));
@@ -174,14 +168,14 @@ std::vector<Claim> origins() {
           "z20", [](const Balls& c) { return c.Delta2 / c.Delta; }, &Terms::Delta2),
       by_22(
           "zdot10", [](const Balls& c) { return c.Delta3 / c.Delta; }, &Terms::Delta3),
-      computed_by(where(), "ur", "(24)",
+      computed_by(printed(), "ur", "(24)",
                   [](const auto& known) {
                     const std::array z{known("z10"), known("z20")};
                     return model::friction_at(
                         known.data(), [&](int i) { return z.at(static_cast<std::size_t>(i)); },
                         known.number(*printed().phi));
                   }),
-      computed_by(where(), "T", "$Theta - tau - tau_1$",
+      computed_by(printed(), "T", "$Theta - tau - tau_1$",
                   [](const auto& known) { return known("Theta") - known("tau") - known("tau1"); }),
       number("O.c1", Origin::auxiliary,
              "the printed $tau$ and $tau_1$ were not computed with the printed $c_1$: over their intervals "
@@ -228,8 +222,7 @@ Claim rounding_of_the_data() {
           const Rational middle = omega.lower() + (i + Rational(1, 2)) * step;
           question.parameters.omega = {middle, step / 2};
           const OrbitList list = list_orbits(question);
-          const auto orbit = std::ranges::find_if(
-              list.orbits, [](const Orbit& one) { return one.admissible.truth == Truth::proved; });
+          const auto orbit = std::ranges::find_if(list.orbits, is_admissible);
           bool all = true;
           for (const PrintedResult& result : printed().results) {
             const bool may = orbit == list.orbits.end() ||
@@ -263,12 +256,13 @@ Claim rounding_of_the_data() {
 
 std::vector<Claim> example_O() {
   const Claim existence =
-      existence_claim(where(),
+      existence_claim(printed(),
                       "an orbit with the data of Fig. 3 exists: a slip, an overshoot and a stick that close, "
                       "(18)-(20), and obey the friction law at all times");
   return joined({{existence},
-                 printed_values(where(), {"tau", "tau1", "T", "Theta", "ur", "z10", "z20", "zdot10"}),
-                 orbit_claims(where()),
+                 printed_values(printed(), "Krawczyk's test in balls on equations equivalent to (18)-(20)",
+                                {"tau", "tau1", "T", "Theta", "ur", "z10", "z20", "zdot10"}),
+                 orbit_claims(printed()),
                  {printed_times(), printed_state_closes(), rounding_of_the_data()},
                  origins(),
                  {spurious_zero()}});

@@ -27,8 +27,7 @@ namespace {
 std::string what_is_listed(const OrbitList& list) {
   std::vector<std::string> good, formal;
   for (const Orbit& orbit : list.orbits) {
-    (orbit.admissible.truth == Truth::proved ? good : formal)
-        .push_back(told_apart(orbit, *list.question.family));
+    (is_admissible(orbit) ? good : formal).push_back(told_apart(orbit, *list.question.family));
   }
   const std::size_t all = list.orbits.size();
   std::string result = fmt::format("{} orbit{}, {} of them admissible", all, all == 1 ? "" : "s",
@@ -39,49 +38,46 @@ std::string what_is_listed(const OrbitList& list) {
   return formal.empty() ? result : fmt::format("{}; not admissible: {}", result, fmt::join(formal, "; "));
 }
 
-Claim list_claim(const PrintedPlace& where, const ListTheorem& theorem) {
-  return {.id = where.example.name + ".list",
-          .kind = Kind::numbers,
-          .origin = Origin::new_result,
-          .words = fmt::format("all orbits of the family at the data of {}, admissible or not",
-                               where.example.figure),
-          .prove =
-              [where, theorem](Prover&, const Claim&) {
-                const OrbitList& list = orbits_of(where.example).list;
-                const auto good =
-                    std::count_if(list.orbits.begin(), list.orbits.end(),
-                                  [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; });
-                Outcome outcome = at_the_data(
-                    where.example,
-                    fmt::format(
-                        "exhaustive search in balls: {} orbits, {} of them admissible, {} boxes unresolved",
-                        list.orbits.size(), good, list.unresolved.size()));
-                outcome.verdict =
-                    list.complete()
-                        ? Verdict::proved()
-                        : Verdict::undecided(fmt::format("{} boxes are unresolved", list.unresolved.size()));
-                if (list.complete()) {
-                  outcome.found = what_is_listed(list);
-                }
-                if (theorem.prove && list.complete()) {
-                  outcome.uses = theorem.uses;
-                  prove(outcome, [&] { return theorem.prove(list); });
-                }
-                return outcome;
-              },
-          .parts = theorem.prove ? std::vector{theorem.says} : std::vector<std::string>{}};
+Claim list_claim(const Example& example, const ListTheorem& theorem) {
+  return {
+      .id = example.name + ".list",
+      .kind = Kind::numbers,
+      .origin = Origin::new_result,
+      .words = fmt::format("all orbits of the family at the data of {}, admissible or not", example.figure),
+      .prove =
+          [&example, theorem](Prover&, const Claim&) {
+            const OrbitList& list = orbits_of(example).list;
+            const auto good = std::ranges::count_if(list.orbits, is_admissible);
+            Outcome outcome = at_the_data(
+                example,
+                fmt::format(
+                    "exhaustive search in balls: {} orbits, {} of them admissible, {} boxes unresolved",
+                    list.orbits.size(), good, list.unresolved.size()));
+            outcome.verdict =
+                list.complete()
+                    ? Verdict::proved()
+                    : Verdict::undecided(fmt::format("{} boxes are unresolved", list.unresolved.size()));
+            if (list.complete()) {
+              outcome.found = what_is_listed(list);
+            }
+            if (theorem.prove && list.complete()) {
+              outcome.uses = theorem.uses;
+              prove(outcome, [&] { return theorem.prove(list); });
+            }
+            return outcome;
+          },
+      .parts = theorem.prove ? std::vector{theorem.says} : std::vector<std::string>{}};
 }
 
-Claim condition_claim(const PrintedPlace& where, const Requirement& requirement) {
-  return {.id = fmt::format("{}.if.{}", where.example.name, requirement.id),
+Claim condition_claim(const Example& example, const Requirement& requirement) {
+  return {.id = fmt::format("{}.if.{}", example.name, requirement.id),
           .kind = Kind::condition,
           .origin = Origin::auxiliary,  // of the paper if one of its statements names it
-          .words = fmt::format("{}, at the data of {}", requirement.statement, where.example.figure),
-          .prove = [where, requirement](Prover& prover, const Claim&) {
-            const std::vector<Condition>& conditions = printed_orbit(where.example).conditions;
-            const auto found =
-                std::find_if(conditions.begin(), conditions.end(),
-                             [&](const Condition& condition) { return condition.id == requirement.id; });
+          .words = fmt::format("{}, at the data of {}", requirement.statement, example.figure),
+          .prove = [&example, requirement](Prover& prover, const Claim&) {
+            const std::vector<Condition>& conditions = printed_orbit(example).conditions;
+            const auto found = std::ranges::find_if(
+                conditions, [&](const Condition& condition) { return condition.id == requirement.id; });
             if (found == conditions.end()) {
               throw InternalError("the orbit has no condition " + requirement.id);
             }
@@ -96,11 +92,10 @@ Claim condition_claim(const PrintedPlace& where, const Requirement& requirement)
             if (found->at) {
               route += " at $t = " + shown(*found->at) + "$";
             }
-            Outcome outcome = at_the_data(where.example, route);
-            outcome.uses = {where.orbit};
+            Outcome outcome = of_its_orbit(example, route);
             outcome.verdict = found->verdict;
             if (outcome.verdict.truth == Truth::proved) {
-              prove_of_orbit(outcome, prover, where,
+              prove_of_orbit(outcome, prover, example,
                              [&](const kernel::Theorem& orbit, const orbits::Question& q) {
                                return orbits::condition_theorem(orbit, q, requirement);
                              });
@@ -123,56 +118,53 @@ Ball largest_modulus(const Stability& stability) {
   return largest;
 }
 
-Claim stability_claim(const PrintedPlace& where) {
-  return {.id = where.example.name + ".stability",
-          .kind = Kind::numbers,
-          .origin = Origin::new_result,
-          .words = fmt::format("the stability of the orbit of {}, which the paper leaves open",
-                               where.example.figure),
-          .prove = [where](Prover& prover, const Claim&) {
-            const std::optional<Stability>& stability = printed_orbit(where.example).stability;
-            Outcome outcome = at_the_data(where.example, "Floquet multipliers, enclosed in balls");
-            outcome.uses = {where.orbit};
-            if (!stability || stability->kind == StabilityKind::undecided) {
-              outcome.verdict =
-                  Verdict::undecided(stability ? stability->reason : "the orbit is not admissible");
-              return outcome;
-            }
-            std::vector<std::string> multipliers;
-            for (const ComplexBall& multiplier : stability->multipliers) {
-              multipliers.push_back(shown_complex(multiplier));
-            }
-            outcome.route +=
-                fmt::format(": {}, with {}", to_string(stability->kind), fmt::join(multipliers, ", "));
-            outcome.found = fmt::format("{}, the largest $|mu|$ of a Floquet multiplier $mu$ is ${}$ ({})",
-                                        to_string(stability->kind), digits_of(largest_modulus(*stability)),
-                                        told_apart(printed_orbit(where.example), *where.example.family));
-            outcome.verdict = Verdict::proved();
-            prove_of_orbit(outcome, prover, where, orbits::stability_theorem);
-            return outcome;
-          }};
+Claim stability_claim(const Example& example) {
+  return {
+      .id = example.name + ".stability",
+      .kind = Kind::numbers,
+      .origin = Origin::new_result,
+      .words = fmt::format("the stability of the orbit of {}, which the paper leaves open", example.figure),
+      .prove = [&example](Prover& prover, const Claim&) {
+        const std::optional<Stability>& stability = printed_orbit(example).stability;
+        Outcome outcome = of_its_orbit(example, "Floquet multipliers, enclosed in balls");
+        if (!stability || stability->kind == StabilityKind::undecided) {
+          outcome.verdict = Verdict::undecided(stability ? stability->reason : "the orbit is not admissible");
+          return outcome;
+        }
+        std::vector<std::string> multipliers;
+        for (const ComplexBall& multiplier : stability->multipliers) {
+          multipliers.push_back(shown_complex(multiplier));
+        }
+        outcome.route +=
+            fmt::format(": {}, with {}", to_string(stability->kind), fmt::join(multipliers, ", "));
+        outcome.found = fmt::format("{}, the largest $|mu|$ of a Floquet multiplier $mu$ is ${}$ ({})",
+                                    to_string(stability->kind), digits_of(largest_modulus(*stability)),
+                                    told_apart(printed_orbit(example), *example.family));
+        outcome.verdict = Verdict::proved();
+        prove_of_orbit(outcome, prover, example, orbits::stability_theorem);
+        return outcome;
+      }};
 }
 
 // The bound is far above the integrator's tolerance of 1e-12 and far below any printed digit.
 constexpr double raw_bound = 1e-8;
 
-Claim raw_law_claim(const PrintedPlace& where) {
-  return {.id = where.example.name + ".raw",
+Claim raw_law_claim(const Example& example) {
+  return {.id = example.name + ".raw",
           .kind = Kind::check,
           .origin = Origin::auxiliary,
           .words = fmt::format(
               "the equations of motion (2) with the friction law (4), integrated over one period without any "
               "closed form from the orbit of {}, give its phases, their times and the same state to 1e-8",
-              where.example.figure),
-          .prove = [where](Prover&, const Claim&) {
+              example.figure),
+          .prove = [&example](Prover&, const Claim&) {
             const Agreement found = agreement(
-                printed_orbit(where.example),
+                printed_orbit(example),
                 [](const Start& start, double duration) { return follow_raw_law(start, duration); });
             Outcome outcome =
-                at_the_data(where.example,
-                            "integration in floating point by Boost.Odeint at the tolerance 1e-12: a "
-                            "check of the closed forms by another route, not a proof in balls");
-            outcome.uses = {where.orbit};
+                of_its_orbit(example,
+                             "integration in floating point by Boost.Odeint at the tolerance 1e-12: a "
+                             "check of the closed forms by another route, not a proof in balls");
             outcome.verdict =
                 !found.difference.empty() ? Verdict::undecided("the motions differ: " + found.difference)
                 : found.time_error <= raw_bound && found.closure <= raw_bound
@@ -189,6 +181,10 @@ Claim raw_law_claim(const PrintedPlace& where) {
 std::string shown(const Ball& ball) {
   const BallText text = to_text(ball, 6);
   return fmt::format("{} ± {}", text.mid, text.rad);
+}
+
+bool is_admissible(const Orbit& orbit) {
+  return orbit.admissible.truth == Truth::proved;
 }
 
 std::string told_apart(const Orbit& orbit, const Family& family) {
@@ -222,20 +218,20 @@ std::string digits_of(const Ball& ball) {
   return known ? cut.text + "..." : shown(ball);
 }
 
-Claim existence_claim(const PrintedPlace& where, const std::string& words) {
+Claim existence_claim(const Example& example, const std::string& words) {
   return {
-      .id = where.orbit,
+      .id = orbit_claim(example),
       .kind = Kind::numbers,
       .words = words,
       .prove =
-          [where](Prover&, const Claim&) {
+          [&example](Prover&, const Claim&) {
             Outcome outcome = at_the_data(
-                where.example,
+                example,
                 "the phases in closed form, their equations at the ends by Krawczyk's test, the inequalities "
                 "between the ends by signs in balls, and by mean values where the two sides meet");
             try {
-              const Motion& motion = printed_orbit(where.example).motion;
-              const orbits::Question question = orbits::question_of(question_of(where.example), motion);
+              const Motion& motion = printed_orbit(example).motion;
+              const orbits::Question question = orbits::question_of(question_of(example), motion);
               outcome.theorems = {orbits::orbit_theorem(question, motion),
                                   orbits::locally_unique(question, motion)};
               outcome.by_kernel = true;
@@ -256,61 +252,57 @@ namespace {
 // Far below what the printed decimals leave open, and no single machine any more.
 const Rational box_radius(1, 1000000);
 
-Claim box_claim(const PrintedPlace& where) {
-  return {.id = where.example.name + ".box",
+Claim box_claim(const Example& example) {
+  return {.id = example.name + ".box",
           .kind = Kind::theorem,
           .origin = Origin::new_result,
           .words =
               fmt::format("orbits of the family exist, and obey every condition, for all data within 1e-6 of "
                           "those of {} ($V = 0$, $phi$ and $u_r$, where they are data, as they are)",
-                          where.example.figure),
-          .prove = [where](Prover&, const Claim&) {
-            Outcome outcome = at_the_data(where.example, "the orbit for all members of the box, in balls");
-            outcome.uses = {where.orbit};
-            OrbitQuestion question = question_of(where.example, 10);
+                          example.figure),
+          .prove = [&example](Prover&, const Claim&) {
+            Outcome outcome = of_its_orbit(example, "the orbit for all members of the box, in balls");
+            OrbitQuestion question = question_of(example, 10);
             model::Parameters<Range>& a = question.parameters;
             for (Range * one : {&a.chi, &a.eta, &a.us, &a.V, &a.omega, &a.p}) {
               one->radius = one->middle == 0 ? Rational(0) : box_radius;
             }
             const OrbitList list = list_orbits(question);
-            outcome.verdict =
-                std::ranges::any_of(list.orbits,
-                                    [](const Orbit& one) { return one.admissible.truth == Truth::proved; })
-                    ? Verdict::proved()
-                    : Verdict::undecided("no orbit is proved for the whole box");
+            outcome.verdict = std::ranges::any_of(list.orbits, is_admissible)
+                                  ? Verdict::proved()
+                                  : Verdict::undecided("no orbit is proved for the whole box");
             return outcome;
           }};
 }
 
-Claim motion_claim(const PrintedPlace& where) {
+Claim motion_claim(const Example& example) {
   return {
-      .id = where.example.name + ".motion",
+      .id = example.name + ".motion",
       .kind = Kind::numbers,
       .origin = Origin::auxiliary,
       .words = fmt::format("the orbit of {} as one motion $X$, $X(t + Theta) = X(t)$ for all $t$, that obeys "
                            "(2) or (9) and (4) during each phase, ends included",
-                           where.example.figure),
-      .prove = [where](Prover& prover, const Claim&) {
+                           example.figure),
+      .prove = [&example](Prover& prover, const Claim&) {
         Outcome outcome =
-            at_the_data(where.example, "the motions of its phases, joined at their ends and continued");
-        outcome.uses = {where.orbit};
-        outcome.verdict = prover.prove(where.orbit).outcome.verdict;
-        prove_of_orbit(outcome, prover, where, orbits::one_motion);
+            of_its_orbit(example, "the motions of its phases, joined at their ends and continued");
+        outcome.verdict = prover.prove(orbit_claim(example)).outcome.verdict;
+        prove_of_orbit(outcome, prover, example, orbits::one_motion);
         return outcome;
       }};
 }
 
 }  // namespace
 
-std::vector<Claim> orbit_claims(const PrintedPlace& where, const ListTheorem& list) {
-  std::vector<Claim> claims{motion_claim(where), box_claim(where), list_claim(where, list)};
-  const Family& family = *where.example.family;
-  const bool ur_known = families::has_stick(family) || where.example.ur.has_value();
+std::vector<Claim> orbit_claims(const Example& example, const ListTheorem& list) {
+  std::vector<Claim> claims{motion_claim(example), box_claim(example), list_claim(example, list)};
+  const Family& family = *example.family;
+  const bool ur_known = families::has_stick(family) || example.ur.has_value();
   for (const Requirement& requirement : families::requirements(family, ur_known)) {
-    claims.push_back(condition_claim(where, requirement));
+    claims.push_back(condition_claim(example, requirement));
   }
-  claims.push_back(stability_claim(where));
-  claims.push_back(raw_law_claim(where));
+  claims.push_back(stability_claim(example));
+  claims.push_back(raw_law_claim(example));
   return claims;
 }
 
@@ -325,24 +317,22 @@ kernel::Theorem rounds_to(const Decimal& decimal, const kernel::Term& value, boo
     return tactics::both(
         {is(kernel::at_most(decimal.lower(), value)), is(kernel::at_most(value, decimal.upper()))});
   }
-  try {
-    return is(kernel::less(decimal.upper(), value));
-  } catch (const kernel::KernelError&) {
-    return is(kernel::less(value, decimal.lower()));
-  }
+  const auto above = tactics::attempt([&] { return is(kernel::less(decimal.upper(), value)); });
+  return above ? *above : is(kernel::less(value, decimal.lower()));
 }
 
-Claim computed_from(const PrintedPlace& where, const std::string& name, const std::string& formula,
+Claim computed_from(const Example& example, const std::string& name, const std::string& formula,
                     std::function<Ball()> value,
                     std::function<kernel::Theorem(const Decimal&, bool)> theorem) {
-  return {.id = fmt::format("{}.from.{}", where.example.name, name),
+  return {.id = fmt::format("{}.from.{}", example.name, name),
           .kind = Kind::numbers,
           .origin = Origin::auxiliary,
           .words = fmt::format("the printed ${}$ is {} of the other printed values, rounded", name, formula),
-          .prove = [=, value = std::move(value), theorem = std::move(theorem)](Prover&, const Claim&) {
+          .prove = [&example, name, formula, value = std::move(value), theorem = std::move(theorem)](
+                       Prover&, const Claim&) {
             const Ball computed = value();
-            const Decimal printed = as_printed(where.example.result(name), computed);
-            Outcome outcome = at_the_data(where.example, formula + " at the printed decimals, in balls");
+            const Decimal printed = as_printed(example.result(name), computed);
+            Outcome outcome = at_the_data(example, formula + " at the printed decimals, in balls");
             outcome.comparisons = {compared(name, printed, computed)};
             outcome.verdict = outcome.comparisons.front().verdict;
             const Truth truth = outcome.verdict.truth;

@@ -16,11 +16,13 @@ namespace stickslip::proofs::pascal2012 {
 // The first six digits, "7.74669...", if the ball is known so well; else as shown().
 [[nodiscard]] std::string digits_of(const Ball& ball);
 
+// Whether every condition along the motion is proved.
+[[nodiscard]] bool is_admissible(const numeric::Orbit& orbit);
 // "tau = 7.74669..., u_r = 0.161022...": what tells one orbit of a list from another.
 [[nodiscard]] std::string told_apart(const numeric::Orbit& orbit, const numeric::Family& family);
 
 // "S.orbit": the printed orbit exists, as a theorem of the kernel.
-[[nodiscard]] methods::Claim existence_claim(const PrintedPlace& where, const std::string& words);
+[[nodiscard]] methods::Claim existence_claim(const methods::Example& example, const std::string& words);
 
 // That a list found in balls is complete, as a theorem, and what reduces the orbits' conditions to what it
 // says.
@@ -32,7 +34,7 @@ struct ListTheorem {
 // "S.motion": the printed orbit as one motion; "S.list": the list is complete; "S.if.14.lower", …: each
 // condition along the printed orbit; "S.stability"; "S.raw": the friction law integrated without closed forms
 // agrees.
-[[nodiscard]] std::vector<methods::Claim> orbit_claims(const PrintedPlace& where,
+[[nodiscard]] std::vector<methods::Claim> orbit_claims(const methods::Example& example,
                                                        const ListTheorem& list = {});
 
 // The printed decimal of that name, exactly; with the sign of the proved value where the source has lost it.
@@ -45,7 +47,7 @@ struct ListTheorem {
 // "S.from.T": the printed result is what the formula gives at the other printed values, `value`, rounded; as
 // the theorem says, which is made of the decimal and whether it is.
 [[nodiscard]] methods::Claim computed_from(
-    const PrintedPlace& where, const std::string& name, const std::string& formula,
+    const methods::Example& example, const std::string& name, const std::string& formula,
     std::function<Ball()> value, std::function<kernel::Theorem(const Decimal& printed, bool it_is)> theorem);
 
 // What is printed of an example, as numbers of a scalar: balls, or terms.
@@ -69,11 +71,10 @@ struct Printed {
 
 // The value by one formula over both scalars.
 template <class Formula>
-[[nodiscard]] methods::Claim computed_by(const PrintedPlace& where, const std::string& name,
+[[nodiscard]] methods::Claim computed_by(const methods::Example& example, const std::string& name,
                                          const std::string& words, const Formula& formula) {
-  const methods::Example& example = where.example;
   return computed_from(
-      where, name, words, [&example, formula] { return formula(Printed<Ball>{example}); },
+      example, name, words, [&example, formula] { return formula(Printed<Ball>{example}); },
       [&example, formula](const Decimal& printed, bool it_is) {
         return rounds_to(printed, formula(Printed<tactics::Symbolic>{example}).term, it_is);
       });

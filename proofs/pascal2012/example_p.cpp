@@ -21,10 +21,6 @@ using namespace methods;
 
 namespace {
 
-PrintedPlace where() {
-  return {example_named("P"), "P.orbit", "Krawczyk's test in balls on equations equivalent to (28)"};
-}
-
 // ur_max of the orbit, which the data do not depend on.
 Ball largest_friction(const Example& example) {
   const Ball& phi = printed_orbit(example).phi();
@@ -43,15 +39,14 @@ Outcome friction(Prover& prover, const Claim&) {
   const Example& example = example_named("P");
   const Ball slack = largest_friction(example) - Ball(*example.ur);
   Outcome outcome =
-      at_the_data(example, "$0 <= ur_max - u_r < 1e-4$, in balls, with (25) and (26) at their ends");
-  outcome.uses = {"P.orbit"};
+      of_its_orbit(example, "$0 <= ur_max - u_r < 1e-4$, in balls, with (25) and (26) at their ends");
   const Ball rest = Ball(parse_rational("1e-4")) - slack;
   outcome.verdict = slack.is_positive() && rest.is_positive() ? Verdict::proved()
                     : slack.is_negative() || rest.is_negative()
                         ? Verdict::refuted("$ur_max - u_r$ is " + to_string(slack))
                         : Verdict::undecided("$ur_max - u_r$ is " + to_string(slack));
   if (outcome.verdict.truth == Truth::proved) {
-    prove_of_orbit(outcome, prover, where(),
+    prove_of_orbit(outcome, prover, example_named("P"),
                    [&](const kernel::Theorem& orbit, const orbits::Question& question) {
                      return orbits::value_theorem(orbit, question, "ur_max", *example.ur,
                                                   *example.ur + parse_rational("1e-4"), false);
@@ -92,8 +87,7 @@ Outcome more_than_36(Prover&, const Claim&) {
                   .uses = made_sharp,
                   .at = coordinates(example.data, *example.ur)};
   const OrbitList list = list_orbits(question_of(example, 30));
-  const auto orbit = std::ranges::find_if(
-      list.orbits, [](const Orbit& one) { return one.admissible.truth == Truth::proved; });
+  const auto orbit = std::ranges::find_if(list.orbits, is_admissible);
   if (orbit == list.orbits.end()) {
     outcome.verdict = Verdict::undecided("no orbit with p = 7 is proved");
     return outcome;
@@ -117,14 +111,17 @@ Proofs data_of_P() {
 
 std::vector<Claim> values_of_P() {
   const Claim existence = existence_claim(
-      where(),
+      example_named("P"),
       "an orbit with the data of Fig. 4 exists: a slip and an overshoot that close, (28), and "
       "obey the friction law at all times");
-  return joined({{existence}, printed_values(where(), {"Theta", "x10", "x20", "xdot10", "phi"})});
+  return joined(
+      {{existence},
+       printed_values(example_named("P"), "Krawczyk's test in balls on equations equivalent to (28)",
+                      {"Theta", "x10", "x20", "xdot10", "phi"})});
 }
 
 std::vector<Claim> orbit_of_P() {
-  return orbit_claims(where(), list_of_P());
+  return orbit_claims(example_named("P"), list_of_P());
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -6,7 +6,6 @@
 #include "proofs/orbits/by_slopes.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 
@@ -20,10 +19,6 @@ namespace {
 
 const Example& printed() {
   return example_named("S");
-}
-
-PrintedPlace where() {
-  return {printed(), "S.orbit", "Krawczyk's test in balls on equations equivalent to (13) and (15)"};
 }
 
 std::vector<Ball> components(const model::Vector4<Ball>& v) {
@@ -108,7 +103,7 @@ std::array<S, 2> from_the_slip(const model::Modes<S>& modes) {
 Claim by_the_slip(const std::string& name, std::size_t which) {
   using tactics::Symbolic;
   return computed_from(
-      where(), name, "a solution of the slip's half of (16), a function",
+      printed(), name, "a solution of the slip's half of (16), a function",
       [which] { return from_the_slip(printed_orbit(printed()).motion.oscillator.modes).at(which); },
       [which](const Decimal& decimal, bool it_is) {
         const Rational chi = printed().data.chi;
@@ -122,15 +117,15 @@ Claim by_the_slip(const std::string& name, std::size_t which) {
 
 // Which printed numbers were computed from which.
 std::vector<Claim> origins() {
-  const PrintedPlace place = where();
-  return {computed_by(place, "T", "$Theta - tau$",
+  const Example& example = printed();
+  return {computed_by(example, "T", "$Theta - tau$",
                       [](const auto& printed) { return printed("Theta") - printed("tau"); }),
-          computed_by(place, "z20", "$V T/2$, by (16),",
+          computed_by(example, "z20", "$V T/2$, by (16),",
                       [](const auto& printed) {
                         return printed.data().V * printed("T") * printed.number(Rational(1, 2));
                       }),
           by_the_slip("z10", 0), by_the_slip("zdot10", 1),
-          computed_by(place, "ur", "(12) solved for $u_r$", [](const auto& printed) {
+          computed_by(example, "ur", "(12) solved for $u_r$", [](const auto& printed) {
             const auto a = printed.data();
             const auto cos_phi = sin(a.omega * printed("tau") * printed.number(Rational(1, 2)));
             return a.us + a.chi * (printed("z20") - printed("z10")) - a.p / a.eta * cos_phi;
@@ -145,14 +140,17 @@ Proofs printed_values_of_S() {
 
 std::vector<Claim> values_of_S() {
   const Claim existence =
-      existence_claim(where(),
+      existence_claim(printed(),
                       "an orbit with the data of Fig. 2 exists: a slip and a stick that close, with the "
                       "paper's time lag, and obey the friction law at all times");
-  return joined({{existence}, printed_values(where(), {"tau", "T", "Theta", "z10", "z20", "zdot10", "ur"})});
+  return joined(
+      {{existence},
+       printed_values(printed(), "Krawczyk's test in balls on equations equivalent to (13) and (15)",
+                      {"tau", "T", "Theta", "z10", "z20", "zdot10", "ur"})});
 }
 
 std::vector<Claim> orbit_of_S() {
-  return joined({origins(), orbit_claims(where(), list_of_S())});
+  return joined({origins(), orbit_claims(printed(), list_of_S())});
 }
 
 }  // namespace stickslip::proofs::pascal2012

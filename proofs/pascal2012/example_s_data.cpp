@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include "model/waves.hpp"
 #include "numeric/words/complete_list.hpp"
@@ -12,7 +13,7 @@
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -65,16 +66,12 @@ kernel::Theorem phase_is_fixed(const orbits::Ranges& ranges) {
   orbits::Ranges later = ranges;
   later[tau] = {soon, last};
   const Theorem late = orbits::in_pieces(tau, later, [&](const orbits::Ranges& here) {
-    for (const Term& balance : {first, second}) {
-      for (const Formula& relation : {less(0, balance), less(balance, 0)}) {
-        try {
-          return from_sign(Theorem::sign(relation, orbits::ranges_in(balance, here)));
-        } catch (const KernelError&) {
-          continue;
-        }
-      }
-    }
-    throw KernelError("both may be zero at one time");
+    const auto one_has_a_sign = tactics::first_that_works(
+        std::array{less(0, first), less(first, 0), less(0, second), less(second, 0)},
+        [&](const Formula& relation) {
+          return from_sign(Theorem::sign(relation, orbits::ranges_in(relation, here)));
+        });
+    return one_has_a_sign ? *one_has_a_sign : throw KernelError("both may be zero at one time");
   });
 
   const Formula during = between(0, tau, Theta);
@@ -106,7 +103,7 @@ std::string of_the_other_phase() {
   std::vector<std::string> other;
   std::size_t admissible = 0;
   for (const Orbit& orbit : orbits_of(printed()).list.orbits) {
-    if (orbit.admissible.truth == Truth::proved) {
+    if (is_admissible(orbit)) {
       ++admissible;
       if (has_the_other_phase(orbit)) {
         other.push_back(told_apart(orbit, *printed().family));
@@ -131,16 +128,15 @@ Outcome lag(Prover&, const Claim&) {
 Outcome lag_is_no_consequence(Prover&, const Claim&) {
   Outcome outcome = at_the_data(printed(), "an orbit that has another phase, as a theorem");
   const std::vector<Orbit>& all = orbits_of(printed()).list.orbits;
-  const auto other = std::ranges::find_if(all, [](const Orbit& orbit) {
-    return orbit.admissible.truth == Truth::proved && has_the_other_phase(orbit);
-  });
+  const auto other = std::ranges::find_if(
+      all, [](const Orbit& orbit) { return is_admissible(orbit) && has_the_other_phase(orbit); });
   if (other == all.end()) {
     outcome.verdict = Verdict::undecided("no orbit with another phase is proved at the data");
     return outcome;
   }
   outcome.route += ": " + told_apart(*other, *printed().family);
-  outcome.verdict = Verdict::refuted(Witness{
-      outcome.at, {}, other->phi(), lag_of(*other), "the phase $phi$ of the load", "$(pi - omega tau)/2$"});
+  outcome.verdict = differs_at(outcome.at, other->phi(), lag_of(*other), "the phase $phi$ of the load",
+                               "$(pi - omega tau)/2$");
   prove(outcome, [&] {
     return orbits::orbit_theorem(orbits::question_of(question_of(printed()), other->motion), other->motion);
   });

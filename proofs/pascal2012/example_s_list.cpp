@@ -9,7 +9,7 @@
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
@@ -26,14 +26,13 @@ const Example& printed() {
 
 // The one of both inequalities that holds.
 kernel::Theorem decided_one_of(const kernel::Formula& either, const orbits::Ranges& ranges) {
-  for (const kernel::Formula& relation : either.parts()) {
-    try {
-      return kernel::Theorem::sign(relation, orbits::ranges_in(relation, ranges));
-    } catch (const kernel::KernelError&) {
-      continue;
-    }
+  const auto decided = tactics::first_that_works(either.parts(), [&](const kernel::Formula& relation) {
+    return kernel::Theorem::sign(relation, orbits::ranges_in(relation, ranges));
+  });
+  if (!decided) {
+    throw kernel::KernelError("some orbit may have this value");
   }
-  throw kernel::KernelError("some orbit may have this value");
+  return *decided;
 }
 
 }  // namespace
@@ -143,12 +142,8 @@ Outcome friction_is_no_datum(Prover&, const Claim&) {
     outcome.verdict = Verdict::undecided("some orbit may have this u_r");
     return outcome;
   }
-  outcome.verdict = Verdict::refuted(Witness{outcome.at,
-                                             {},
-                                             printed_orbit(printed()).value("ur"),
-                                             Ball(given.value),
-                                             "$u_r$ of the orbit",
-                                             "the printed one"});
+  outcome.verdict = differs_at(outcome.at, printed_orbit(printed()).value("ur"), Ball(given.value),
+                               "$u_r$ of the orbit", "the printed one");
   prove(outcome, [&] {
     return at_both(list, [](const SymmetricEquations& e, const SymmetricList& found, int phase,
                             const orbits::Ranges& frequencies) {
@@ -198,9 +193,9 @@ class OrbitAtData {
         h_((Term(Theta_) - e.tau) / 2),
         data_{chi_,
               model::modes_of<Symbolic>(chi_, e.omega1, e.omega2),
-              number(printed().data.V),
+              Term(printed().data.V),
               omega_,
-              number(printed().data.p),
+              Term(printed().data.p),
               Theta_,
               e.sigma},
         known_(in_letters(halves)) {}
@@ -231,7 +226,7 @@ class OrbitAtData {
     const Theorem breaks = Theorem::assume(equal(Term(Rational(a.chi * a.eta)) * (z20_ - z10_),
                                                  a.p * cos_phi + Term(a.eta) * (ur - Term(a.us))));
     const Symbolic of_reduced =
-        model::friction_at<Symbolic>({chi_, number(a.eta), number(a.us), data_.V, omega_, data_.p},
+        model::friction_at<Symbolic>({chi_, Term(a.eta), Term(a.us), data_.V, omega_, data_.p},
                                      model::symmetric_start<Symbolic>(data_, e_.tau, amplitude()),
                                      model::symmetric_phase<Symbolic>(data_, kernel::pi(), e_.tau));
     const Term lever = chi_ * (1 - chi_) / 2;
@@ -241,7 +236,6 @@ class OrbitAtData {
 
  private:
   using Symbolic = tactics::Symbolic;
-  [[nodiscard]] static Symbolic number(const Rational& value) { return Term(value); }
   [[nodiscard]] static Term row_of(const std::vector<Term>& entries) { return kernel::matrix(1, 4, entries); }
   [[nodiscard]] Term lambda(const Term& omega_j) const { return (1 - power(omega_j, 2)) / chi_; }
   [[nodiscard]] Term amplitude() const {

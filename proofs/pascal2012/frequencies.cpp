@@ -1,7 +1,7 @@
 // (39) has solutions for all 0 < chi < 1 and eta > 0: what is proved for all 0 < omega_1 < 1 < omega_2 is
 // proved for all of them.
-#include "proofs/pascal2012/frequencies.hpp"
 #include <algorithm>
+#include "proofs/pascal2012/printed_example.hpp"
 
 #include "proofs/kernel/theorem.hpp"
 #include "proofs/methods/derivation.hpp"
@@ -62,75 +62,61 @@ Theorem of_model(const Term& at_chi, const Term& at_eta, const Theorem& of_sum, 
 }
 
 // The frequencies at chi, eta, as the roots of s⁴ - (1 + chi eta) s² + chi eta (1 - chi): their squares are
-// half of 1 + chi eta ∓ r, r² the discriminant.
-class Frequencies {
- public:
-  // {0 < chi, chi < 1, 0 < eta} ⊢ there are 0 < omega1 < 1 < omega2 of which chi and eta are what the model
-  // has.
-  [[nodiscard]] static Theorem exist() {
-    const Theorem chi_positive = above(0, chi), chi_below = below(chi, 1), eta_positive = above(0, eta);
-    const Term product = Term(chi) * eta, sum = 1 + product, rest = 1 - product;
-    const Term last = product * (1 - Term(chi)), discriminant = power(sum, 2) - 4 * last;
-    const Positive apart{{chi_positive, chi_positive, eta_positive}, 4};  // the discriminant less rest²
-    const Root r =
-        root_of(root, discriminant, Theorem::order(less(0, discriminant), {apart, Positive{{}, 1, rest}}));
+// half of 1 + chi eta ∓ r, r² the discriminant. {0 < chi, chi < 1, 0 < eta} ⊢ there are 0 < omega1 < 1 <
+// omega2 of which chi and eta are what the model has.
+Theorem frequencies_exist() {
+  const Theorem chi_positive = above(0, chi), chi_below = below(chi, 1), eta_positive = above(0, eta);
+  const Term product = Term(chi) * eta, sum = 1 + product, rest = 1 - product;
+  const Term last = product * (1 - Term(chi)), discriminant = power(sum, 2) - 4 * last;
+  const Positive apart{{chi_positive, chi_positive, eta_positive}, 4};  // the discriminant less rest²
+  const Root r =
+      root_of(root, discriminant, Theorem::order(less(0, discriminant), {apart, Positive{{}, 1, rest}}));
 
-    // |1 - chi eta| < r < 1 + chi eta.
-    const auto below_r = [&](const Term& a) {
-      return below_by_squares(Theorem::order(less(power(a, 2), power(root, 2)), {apart}, {{r.square}}),
-                              r.not_negative, a, root);
-    };
-    const Theorem above_rest = below_r(rest), above_minus_rest = below_r(-rest);
-    const Theorem sum_positive =
-        Theorem::order(at_most(0, sum), {Positive{{}}, Positive{{chi_positive, eta_positive}}});
-    const Theorem below_sum = below_by_squares(
-        Theorem::order(less(power(root, 2), power(sum, 2)),
-                       {Positive{{chi_positive, eta_positive, chi_below}, 4}}, {{r.square, -1}}),
-        sum_positive, root, sum);
+  // |1 - chi eta| < r < 1 + chi eta.
+  const auto below_r = [&](const Term& a) {
+    return below_by_squares(Theorem::order(less(power(a, 2), power(root, 2)), {apart}, {{r.square}}),
+                            r.not_negative, a, root);
+  };
+  const Theorem above_rest = below_r(rest), above_minus_rest = below_r(-rest);
+  const Theorem sum_positive =
+      Theorem::order(at_most(0, sum), {Positive{{}}, Positive{{chi_positive, eta_positive}}});
+  const Theorem below_sum = below_by_squares(
+      Theorem::order(less(power(root, 2), power(sum, 2)),
+                     {Positive{{chi_positive, eta_positive, chi_below}, 4}}, {{r.square, -1}}),
+      sum_positive, root, sum);
 
-    const Rational half(1, 2);
-    const Term first = Term(half) * (sum - root), second = Term(half) * (sum + root);
-    const Theorem first_positive = Theorem::order(less(0, first), {Positive{{below_sum}, half}});
-    const Theorem first_below = Theorem::order(less(first, 1), {Positive{{above_minus_rest}, half}});
-    const Theorem second_above = Theorem::order(less(1, second), {Positive{{above_rest}, half}});
-    const Root x = root_of(omega1, first, first_positive),
-               y = root_of(omega2, second,
-                           Theorem::order(less(0, second), {Positive{{second_above}}, Positive{{}}}));
-    const Theorem one = Theorem::order(at_most(0, 1), {Positive{{}}});
-    const Theorem x_positive = below_by_squares(
-        Theorem::order(less(power(0, 2), power(omega1, 2)), {Positive{{first_positive}}}, {{x.square}}),
-        x.not_negative, 0, omega1);
-    const Theorem x_below = below_by_squares(
-        Theorem::order(less(power(omega1, 2), power(1, 2)), {Positive{{first_below}}}, {{x.square, -1}}), one,
-        omega1, 1);
-    const Theorem y_above = below_by_squares(
-        Theorem::order(less(power(1, 2), power(omega2, 2)), {Positive{{second_above}}}, {{y.square}}),
-        y.not_negative, 1, omega2);
+  const Rational half(1, 2);
+  const Term first = Term(half) * (sum - root), second = Term(half) * (sum + root);
+  const Theorem first_positive = Theorem::order(less(0, first), {Positive{{below_sum}, half}});
+  const Theorem first_below = Theorem::order(less(first, 1), {Positive{{above_minus_rest}, half}});
+  const Theorem second_above = Theorem::order(less(1, second), {Positive{{above_rest}, half}});
+  const Root x = root_of(omega1, first, first_positive),
+             y = root_of(omega2, second,
+                         Theorem::order(less(0, second), {Positive{{second_above}}, Positive{{}}}));
+  const Theorem one = Theorem::order(at_most(0, 1), {Positive{{}}});
+  const Theorem x_positive = below_by_squares(
+      Theorem::order(less(power(0, 2), power(omega1, 2)), {Positive{{first_positive}}}, {{x.square}}),
+      x.not_negative, 0, omega1);
+  const Theorem x_below = below_by_squares(
+      Theorem::order(less(power(omega1, 2), power(1, 2)), {Positive{{first_below}}}, {{x.square, -1}}), one,
+      omega1, 1);
+  const Theorem y_above = below_by_squares(
+      Theorem::order(less(power(1, 2), power(omega2, 2)), {Positive{{second_above}}}, {{y.square}}),
+      y.not_negative, 1, omega2);
 
-    // By Vieta.
-    const Theorem of_sum = Theorem::combination(equal(squares_less_one(), product), {{x.square}, {y.square}});
-    const Theorem of_product = Theorem::combination(
-        equal(product_of_squares(), last),
-        {{x.square, power(omega2, 2)}, {y.square, first}, {r.square, Term(Rational(-1, 4))}});
-    Theorem data = of_model(chi, eta, of_sum, of_product);
-    for (const Theorem& known : {x_positive, x_below, y_above}) {
-      data = Theorem::cut(known, data);
-    }
-    return closed(both({x_positive, x_below, y_above, part(data, 0), part(data, 1)}), {y, x}, r);
+  // By Vieta.
+  const Theorem of_sum = Theorem::combination(equal(squares_less_one(), product), {{x.square}, {y.square}});
+  const Theorem of_product = Theorem::combination(
+      equal(product_of_squares(), last),
+      {{x.square, power(omega2, 2)}, {y.square, first}, {r.square, Term(Rational(-1, 4))}});
+  const Theorem data = cut_all({x_positive, x_below, y_above}, of_model(chi, eta, of_sum, of_product));
+  const Theorem known = both({x_positive, x_below, y_above, part(data, 0), part(data, 1)});
+  Theorem result = there_are({omega1, omega2}, known.conclusion(), {}, known);
+  for (const Root& number : {y, x, r}) {
+    result = Theorem::choose(number.existence, number.name, result);
   }
-
- private:
-  // ⊢ there are these with the theorem's conclusion; and there is the last.
-  static Theorem closed(Theorem theorem, const std::vector<Root>& named, const Root& last) {
-    for (const Root& one : named) {
-      theorem = Theorem::witness(theorem, exists(one.name, theorem.conclusion()), one.name);
-    }
-    for (const Root& one : named) {
-      theorem = Theorem::choose(one.existence, one.name, theorem);
-    }
-    return Theorem::choose(last.existence, last.name, theorem);
-  }
-};
+  return result;
+}
 
 // Theorems of others, with the frequencies that chi and eta have.
 Outcome said_of_data(Prover& prover, const Claim&) {
@@ -212,27 +198,17 @@ Theorem at_frequencies(const Rational& at_chi, const Rational& at_eta,
     const Variable& which = inequality.variables().contains(omega1) ? omega1 : omega2;
     parts.push_back(Theorem::sign(inequality, {{which, ranges.at(which)}}));
   }
-  Theorem here = data;
-  for (const Theorem& one : parts) {
-    here = Theorem::cut(one, here);
-  }
-  Theorem said = more(ranges);
-  for (const std::size_t which : {0, 1}) {
-    said = Theorem::cut(part(here, which), said);
-  }
-  parts.insert(parts.end(), {part(here, 0), part(here, 1), said});
-  Theorem result = both(parts);
-  for (const Variable& one : {omega2, omega1}) {
-    result = Theorem::witness(result, exists(one, result.conclusion()), one);
-  }
-  return orbits::with_zero(result, unknowns, equations, box);
+  const Theorem here = cut_all(parts, data), of_chi = part(here, 0), of_eta = part(here, 1);
+  parts.insert(parts.end(), {of_chi, of_eta, cut_all({of_chi, of_eta}, more(ranges))});
+  const Theorem known = both(parts);
+  return orbits::with_zero(there_are(unknowns, known.conclusion(), {}, known), unknowns, equations, box);
 }
 
 Proofs frequencies() {
   return {
       {"39.frequencies", by_theorem("their squares are half of $1 + chi eta$ less and more the root of the "
                                     "discriminant, which lies between $|1 - chi eta|$ and $1 + chi eta$",
-                                    Frequencies::exist)},
+                                    frequencies_exist)},
       {"39.data", said_of_data}};
 }
 

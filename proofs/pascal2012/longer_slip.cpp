@@ -24,7 +24,7 @@ const Term quarter = omega * tau / 2;
 // q cos(q) < sin(q): f = sin(t) - t cos(t) has the derivative t sin(t), so f(q) - f(0) = c sin(c) q.
 Theorem slope_of_chord(Derivation& derivation, std::size_t which) {
   const kernel::Variable t{"t"}, c{"c"};
-  const kernel::Formula goal = derivation.read(derivation.claim().printed[which]);
+  const kernel::Formula goal = derivation.printed(which);
   const kernel::Term q = derivation.read(s);
   const Theorem positive = derivation.premise(assuming("s.positive")),
                 below_pi = derivation.premise(assuming("s.pi"));
@@ -46,8 +46,7 @@ Theorem slope_of_chord(Derivation& derivation, std::size_t which) {
 
 // Theta/2 < tau, as each of the other cases gives 0 < 0.
 Theorem longer_than_half(Derivation& derivation, std::size_t which) {
-  const kernel::Formula goal = derivation.read(derivation.claim().printed[which]),
-                        absurd = kernel::less(0, 0);
+  const kernel::Formula goal = derivation.printed(which), absurd = kernel::less(0, 0);
   const kernel::Term half_period = goal.parts()[0], slip = goal.parts()[1], w = derivation.read(omega),
                      q = derivation.read(quarter), turn = kernel::pi() / 2;
   const auto assumed = [&](const char * id) { return derivation.premise(assuming(id)); };

@@ -13,7 +13,7 @@
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -85,20 +85,16 @@ class MotionOf {
     for (const Formula& one : formulas) {
       proved.push_back(holds(substitute(one, values_)));
     }
-    Theorem theorem = tactics::both(proved);
-    Formula left = kernel::all({formulas.begin(), formulas.end()});
-    // First, and innermost, what has a value in terms of the others.
-    const kernel::Variables variables = left.variables();
+    const Formula whole = kernel::all({formulas.begin(), formulas.end()});
+    std::vector<Variable> names;  // innermost what has a value in terms of the others
     for (const bool has_value : {true, false}) {
-      for (const Variable& one : variables) {
+      for (const Variable& one : whole.variables()) {
         if (!frequencies_.contains(one) && values_.contains(one) == has_value) {
-          left = kernel::exists(one, left);
-          theorem =
-              Theorem::witness(theorem, substitute(left, values_), has_value ? values_.at(one) : Term(one));
+          names.insert(names.begin(), one);
         }
       }
     }
-    return theorem;
+    return tactics::there_are(names, whole, values_, tactics::both(proved));
   }
 
  private:
@@ -287,21 +283,14 @@ class MotionOf {
       }
     }
     const auto from_one = [&](const Formula& open) {
-      for (const std::vector<Multiple>& because : attempts) {
-        try {
-          const Formula other = because.empty() ? open : because.front().equation.conclusion();
-          return discharged(Theorem::combination(open, because, openings({open, other}).all()));
-        } catch (const kernel::KernelError&) {
-          continue;
-        }
-      }
-      throw unknown(formula);
+      const auto found = tactics::first_that_works(attempts, [&](const std::vector<Multiple>& because) {
+        const Formula other = because.empty() ? open : because.front().equation.conclusion();
+        return discharged(Theorem::combination(open, because, openings({open, other}).all()));
+      });
+      return found ? *found : throw unknown(formula);
     };
-    try {
-      return at_the_data(formula, from_one);
-    } catch (const kernel::KernelError&) {
-      return from_one(formula);
-    }
+    const auto there = tactics::attempt([&] { return at_the_data(formula, from_one); });
+    return there ? *there : from_one(formula);
   }
   // Of z = row inverse(M) …, which solves M z = … for one component: row inverse(M).
   [[nodiscard]] static std::optional<Term> row_that_solves(const Formula& equation) {
@@ -413,14 +402,10 @@ class MotionOf {
       return tactics::both({in_form(formula.parts()[0], here), in_form(formula.parts()[1], here)});
     }
     if (formula.kind() == Kind::disjunction) {  // of both sides of the belt
-      for (const Formula& one : formula.parts()) {
-        try {
-          return Theorem::consequence({in_form(one, here)}, formula);
-        } catch (const kernel::KernelError&) {
-          continue;
-        }
-      }
-      throw unknown(formula);
+      const auto side = tactics::first_that_works(formula.parts(), [&](const Formula& one) {
+        return Theorem::consequence({in_form(one, here)}, formula);
+      });
+      return side ? *side : throw unknown(formula);
     }
     if (formula.kind() != Kind::derivative) {
       return Theorem::order(formula, {Positive{{tactics::part(here, 1)}}});

@@ -4,7 +4,7 @@
 #include "model/nonsticking.hpp"
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/tactics/closed.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -16,16 +16,11 @@ namespace {
 
 const Variable delta{"delta"}, mu{"mu"}, omega1{"omega1"}, omega2{"omega2"}, kappa{"kappa"};
 
-Symbolic number(const Rational& value) {
-  return Term(value);
-}
-
 class List {
  public:
   List(const methods::Example& example, const orbits::Ranges& ranges)
       : ranges_(ranges),
-        data_{number(example.data.chi), number(example.data.eta),   number(example.data.us),
-              number(example.data.V),   number(example.data.omega), number(example.data.p)},
+        data_(Printed<Symbolic>{example}.data()),
         modes_(model::modes_of<Symbolic>(data_.chi, omega1, omega2)),
         rest_(model::modal_rest<Symbolic>(modes_, model::d0<Symbolic>(data_.chi, data_.us))),
         q2_(model::Q<Symbolic>(data_, modes_)(1)),
@@ -65,16 +60,15 @@ class List {
     // delta = pi/2: and then mu is one of them.
     const Theorem middle = delta_is(quarter, holds, during);
     const Variable place{"place"};
-    Theorem only =
-        Theorem::cut(Theorem::replace(middle, place, row(1, place, mu), part(holds, 1)), found.only);
     const auto bounded = [&](const Rational& last, const Theorem& half) {
       return Theorem::order(
           half.conclusion().parts()[0] == Term(mu) ? at_most(mu, last) : at_most(Rational(-last), mu),
           {{{half}}, {{Theorem::sign(less(pi(), last))}}});
     };
-    for (const std::size_t side : {0, 1}) {
-      only = Theorem::cut(bounded(Rational(16, 5), part(where, side)), only);
-    }
+    const Theorem only =
+        cut_all({Theorem::replace(middle, place, row(1, place, mu), part(holds, 1)),
+                 bounded(Rational(16, 5), part(where, 0)), bounded(Rational(16, 5), part(where, 1))},
+                found.only);
     const Theorem all_are =
         for_every(delta, inside, for_every(mu, turn, Theorem::discharge(both({middle, only}), hold)));
     parts.push_back(all_are);
@@ -197,9 +191,7 @@ class List {
                                                     {s, kernel::sin(delta)},
                                                     {speed, speed_},
                                                     {friction, friction_part()}});
-    for (const Theorem& known : {opened_row(1, holds), speed_is(during), Theorem::assume(at_side)}) {
-      result = Theorem::cut(known, result);
-    }
+    result = cut_all({opened_row(1, holds), speed_is(during), Theorem::assume(at_side)}, result);
     return Theorem::convert(result, side_vanishes(k, delta), {side_definition()});
   }
 
@@ -213,13 +205,10 @@ class List {
     const Variable &x = found.zeros[0].x, &y = found.zeros[1].x;
     const auto is_one_of = [&](const Term& end) {
       const Formula vanishes = side_vanishes(k, end);
-      Theorem result = Theorem::instantiate(found.only, {{delta, end}});
-      for (const Formula& inside : {at_most(first, end), at_most(end, last)}) {
-        result = Theorem::cut(certainly(inside), result);
-      }
       const Theorem zero = Theorem::convert(discharged(Theorem::combination(unfold(vanishes, {definition}))),
                                             vanishes, {definition});
-      return Theorem::cut(zero, result);
+      return cut_all({certainly(at_most(first, end)), certainly(at_most(end, last)), zero},
+                     Theorem::instantiate(found.only, {{delta, end}}));
     };
     const Theorem start = Theorem::assume(found.zeros[0].says), end = Theorem::assume(found.zeros[1].says);
     const Theorem positive = part(during, 0), below = part(during, 1);
@@ -237,10 +226,10 @@ class List {
       return Theorem::discharge(
           Theorem::combination(conclusion, {{Theorem::assume(equation), turn}, {known, -turn}}), equation);
     };
-    Theorem only = found.only;
-    only = Theorem::cut(Theorem::order(at_most(first, delta), {{{positive}}, Positive{{}, -first}}), only);
-    only = Theorem::cut(
-        Theorem::order(at_most(delta, last), {{{below}}, {{Theorem::sign(less(pi(), last))}}}), only);
+    const Theorem only =
+        cut_all({Theorem::order(at_most(first, delta), {{{positive}}, Positive{{}, -first}}),
+                 Theorem::order(at_most(delta, last), {{{below}}, {{Theorem::sign(less(pi(), last))}}})},
+                found.only);
     const Formula vanishes = side_vanishes(k, delta);
     Theorem result =
         Theorem::consequence({Theorem::discharge(only, vanishes), same(x, equal(0, delta), at_start),

@@ -1,6 +1,5 @@
 #include "proofs/pascal2012/paper.hpp"
 
-#include "proofs/pascal2012/abbreviations.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "proofs/pascal2012/met_by_orbits.hpp"

@@ -45,6 +45,21 @@ Outcome at_the_data(const Example& example, const std::string& route) {
   return outcome;
 }
 
+Verdict differs_at(const std::vector<Coordinate>& data, const Ball& left, const Ball& right,
+                   const std::string& left_name, const std::string& right_name) {
+  return Verdict::refuted(Witness{data, {}, left, right, left_name, right_name});
+}
+
+std::string orbit_claim(const Example& example) {
+  return example.name + ".orbit";
+}
+
+Outcome of_its_orbit(const Example& example, const std::string& route) {
+  Outcome outcome = at_the_data(example, route);
+  outcome.uses = {orbit_claim(example)};
+  return outcome;
+}
+
 void prove(Outcome& outcome, const std::function<kernel::Theorem()>& theorem) {
   try {
     outcome.theorems = {theorem()};
@@ -68,34 +83,32 @@ Outcome proved_by(Outcome outcome, const std::set<std::string>& uses,
 }
 
 void prove_of_orbit(
-    Outcome& outcome, Prover& prover, const PrintedPlace& where,
+    Outcome& outcome, Prover& prover, const Example& example,
     const std::function<kernel::Theorem(const kernel::Theorem&, const orbits::Question&)>& theorem) {
-  const std::vector<kernel::Theorem>& orbit = prover.prove(where.orbit).outcome.theorems;
+  const std::vector<kernel::Theorem>& orbit = prover.prove(orbit_claim(example)).outcome.theorems;
   if (!orbit.empty()) {
     prove(outcome, [&] {
-      return theorem(orbit.front(),
-                     orbits::question_of(question_of(where.example), printed_orbit(where.example).motion));
+      return theorem(orbit.front(), orbits::question_of(question_of(example), printed_orbit(example).motion));
     });
   }
 }
 
 namespace {
 
-Claim printed_value(const PrintedPlace& where, const std::string& name) {
-  const PrintedResult& result = where.example.result(name);
-  return {.id = where.example.name + "." + name,
+Claim printed_value(const Example& example, const std::string& route, const std::string& name) {
+  const PrintedResult& result = example.result(name);
+  return {.id = example.name + "." + name,
           .kind = Kind::numbers,
           .words = fmt::format("${} = {}${}", name, result.value.text,
                                result.sign_lost ? " up to its sign, which is not legible in the source" : ""),
-          .prove = [=](Prover& prover, const Claim&) {
-            const Ball proved = printed_orbit(where.example).value(name);
+          .prove = [&example, &result, route, name](Prover& prover, const Claim&) {
+            const Ball proved = printed_orbit(example).value(name);
             const Decimal printed = as_printed(result, proved);
-            Outcome outcome = at_the_data(where.example, where.route);
-            outcome.uses = {where.orbit};
+            Outcome outcome = of_its_orbit(example, route);
             outcome.comparisons = {compared(name, printed, proved)};
             outcome.verdict = outcome.comparisons.front().verdict;
             if (outcome.verdict.truth != Truth::undecided) {
-              prove_of_orbit(outcome, prover, where,
+              prove_of_orbit(outcome, prover, example,
                              [&](const kernel::Theorem& orbit, const orbits::Question& q) {
                                return orbits::value_theorem(orbit, q, name, printed.lower(), printed.upper(),
                                                             outcome.verdict.truth == Truth::refuted);
@@ -120,10 +133,11 @@ Vector intervals(const std::array<Decimal, N>& printed) {
 
 }  // namespace
 
-std::vector<Claim> printed_values(const PrintedPlace& where, const std::vector<std::string>& names) {
+std::vector<Claim> printed_values(const Example& example, const std::string& route,
+                                  const std::vector<std::string>& names) {
   std::vector<Claim> claims;
   for (const std::string& name : names) {
-    claims.push_back(printed_value(where, name));
+    claims.push_back(printed_value(example, route, name));
   }
   return claims;
 }
@@ -164,8 +178,7 @@ PrintedClosing<5> printed_closing_overshooting(const ExactParameters& a, const R
   };
   PrintedClosing<5> result{residuals(points(printed)), residuals(intervals(printed)),
                            Verdict::undecided("every closing condition may hold somewhere in the intervals")};
-  if (std::any_of(result.at_intervals.begin(), result.at_intervals.end(),
-                  [](const Ball& residual) { return residual.is_nonzero(); })) {
+  if (std::ranges::any_of(result.at_intervals, [](const Ball& residual) { return residual.is_nonzero(); })) {
     result.verdict = Verdict::refuted("a closing condition holds nowhere in the printed intervals");
   }
   return result;

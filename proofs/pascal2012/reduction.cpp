@@ -1,28 +1,41 @@
-#include "proofs/pascal2012/reduction.hpp"
+// The equations that the proofs of orbits solve in place of the paper's, and that they say the same:
+// "residual of the paper's closing condition = M · residual of the reduced equation" and back. Where a
+// difference quotient such as sin(x)/x stands in a formula, x ≠ 0 appears among the hypotheses; both sides
+// being continuous, the identity holds at x = 0 too.
+#include <fmt/format.h>
 
+#include <set>
+#include <string>
+#include <vector>
+
+#include "model/appendix3.hpp"
+#include "model/flows.hpp"
 #include "model/nonsticking.hpp"
 #include "model/overshooting_closing.hpp"
 #include "model/symmetric.hpp"
+#include "proofs/methods/derivation.hpp"
+#include "proofs/methods/prover.hpp"
+#include "proofs/pascal2012/claims.hpp"
 #include "proofs/symbols/vocabulary.hpp"
+#include "proofs/tactics/model_terms.hpp"
 
-namespace stickslip::proofs::pascal2012::reduction {
+namespace stickslip::proofs::pascal2012 {
 
 using namespace methods;
+
+namespace reduction {
+
 using namespace symbols;
 
 namespace {
 
-// Q and d0 by their modes: what (0, p) and (0, eta us) contribute to each.
-Vector2 by_modes(const Symbolic& force, const Symbolic& shift) {
-  const model::Modes<Symbolic> m = modes();
-  const Symbolic share = force / (m.lambda2 - m.lambda1);
-  const Vector2 y{Symbolic(-share / (m.omega1 * m.omega1 - shift)),
-                  Symbolic(share / (m.omega2 * m.omega2 - shift))};
-  return model::Lambda<Symbolic>(m) * y;
-}
+using tactics::Symbolic;
+using Vector2 = model::Vector2<Symbolic>;
+using Vector4 = model::Vector4<Symbolic>;
 
-}  // namespace
+// ---- The flows with the record of what they rest on, and formulas of the model compared with each other.
 
+// The letter of a symbol, and pi.
 Symbolic symbol(const std::string& name) {
   return kernel::Variable{name};
 }
@@ -33,31 +46,57 @@ Symbolic half_turn() {
 model::Modes<Symbolic> modes() {
   return {symbol("omega1"), symbol("omega2"), symbol("lambda1"), symbol("lambda2")};
 }
+
+model::Parameters<Symbolic> data() {
+  return {symbol("chi"), symbol("eta"), symbol("us"), symbol("V"), symbol("omega"), symbol("p")};
+}
+
+// Q and d_0 by their modes: what (0, p) and (0, eta us) contribute to each.
+Vector2 by_modes(const Symbolic& force, const Symbolic& shift) {
+  const model::Modes<Symbolic> m = modes();
+  const Symbolic share = force / (m.lambda2 - m.lambda1);
+  const Vector2 y{Symbolic(-share / (m.omega1 * m.omega1 - shift)),
+                  Symbolic(share / (m.omega2 * m.omega2 - shift))};
+  return model::Lambda<Symbolic>(m) * y;
+}
 Vector2 load() {
   return by_modes(symbol("p"), symbol("omega") * symbol("omega"));
 }
 Vector2 rest() {
   return by_modes(symbol("eta") * symbol("us"), 0);
 }
+
+// Theta = 2 pi/omega.
 Symbolic period() {
   return 2 * half_turn() / symbol("omega");
 }
 
-Vector4 Flows::slip(const Vector4& Z0, const Symbolic& psi0, const Symbolic& t) {
-  used.merge(std::set<std::string>{"5", "7.modal"});
-  return model::slip_flow<Symbolic>(modes(), load(), symbol("omega"), psi0, Z0, t);
+// The flows (5), (8), (10); the ids of the claims behind those that were used.
+struct Flows {
+  Derivation& derivation;
+  std::set<std::string> used{"39.derived"};
+
+  Vector4 slip(const Vector4& Z0, const Symbolic& psi0, const Symbolic& t) {
+    used.merge(std::set<std::string>{"5", "7.modal"});
+    return model::slip_flow<Symbolic>(modes(), load(), symbol("omega"), psi0, Z0, t);
+  }
+  Vector4 overshoot(const Vector4& Z0, const Symbolic& psi0, const Symbolic& t) {
+    used.merge(std::set<std::string>{"8", "7.modal"});
+    return model::overshoot_flow<Symbolic>(modes(), load(), rest(), symbol("omega"), psi0, Z0, t);
+  }
+  Vector4 stick(const Vector4& Z0, const Symbolic& t) {
+    used.insert("10");
+    return model::stick_flow<Symbolic>(symbol("chi"), Z0, t);
+  }
+};
+
+// Two columns of the model's.
+template <class Left, class Right>
+Equal same(const Left& left, const Right& right) {
+  return {tactics::as_term(left), tactics::as_term(right)};
 }
 
-Vector4 Flows::overshoot(const Vector4& Z0, const Symbolic& psi0, const Symbolic& t) {
-  used.merge(std::set<std::string>{"8", "7.modal"});
-  return model::overshoot_flow<Symbolic>(modes(), load(), rest(), symbol("omega"), psi0, Z0, t);
-}
-
-Vector4 Flows::stick(const Vector4& Z0, const Symbolic& t) {
-  used.insert("10");
-  return model::stick_flow<Symbolic>(symbol("chi"), Z0, t);
-}
-
+// z = Lambda y, z' = Lambda y', and back.
 Vector4 from_modes(const Vector2& y, const Vector2& ydot) {
   const model::Matrix2<Symbolic> Lambda = model::Lambda<Symbolic>(modes());
   return model::stack<Symbolic>(Vector2(Lambda * y), Vector2(Lambda * ydot));
@@ -66,19 +105,22 @@ Vector2 to_modes(const Vector2& z) {
   return model::inverse<Symbolic>(model::Lambda<Symbolic>(modes())) * z;
 }
 
+// lambda_2 - lambda_1 with the sign that it has in row j of the reduced equations.
 Vector2 row_scale() {
   const Symbolic scale = modes().lambda2 - modes().lambda1;
   return {scale, -scale};
 }
 
-Vector2 half_angles(const Symbolic& duration) {
-  return {symbol("omega1") * duration / 2, symbol("omega2") * duration / 2};
-}
+// omega_j, and omega_j duration/2.
 Vector2 frequencies() {
   return {symbol("omega1"), symbol("omega2")};
 }
+Vector2 half_angles(const Symbolic& duration) {
+  return {symbol("omega1") * duration / 2, symbol("omega2") * duration / 2};
+}
 
-Proof reduced(Compare compare) {
+// That every pair that `compare` builds from the model's own formulas is equal.
+Proof compared_by(std::vector<Equal> (*compare)(Flows&)) {
   return [compare](Prover& prover, const Claim& claim) {
     std::set<std::string> used;
     Outcome outcome =
@@ -95,8 +137,6 @@ Proof reduced(Compare compare) {
 }
 
 // (13) and (15) against the reduced equations in (tau, C).
-
-namespace {
 
 Vector4 reversed(const Vector4& Z) {
   return model::reversal<Symbolic>() * Z;
@@ -184,18 +224,7 @@ std::vector<Equal> symmetric_all_sticks(Flows& flows) {
   return {same(Z0 - model::symmetric_start<Symbolic>(a, tau, C), multiple)};
 }
 
-}  // namespace
-
-Proofs of_symmetric() {
-  return {{"16.reduced", reduced(symmetric_sufficient)},
-          {"16.reduced.converse", reduced(symmetric_necessary)},
-          {"15.reduced", reduced(symmetric_stick)},
-          {"15.reduced.converse", reduced(symmetric_all_sticks)}};
-}
-
 // (28) for any tau and V against the two reduced equations.
-
-namespace {
 
 // friction_speed divides by sinc(delta) + sinc(pi - delta), which is not 0 where sin(delta) = sin(pi - delta)
 // is not.
@@ -218,8 +247,7 @@ std::vector<Equal> two_slips_close(Flows& flows) {
   const Symbolic mu = symbol("mu");
   const Symbolic V = symbol("V");
   const Vector2 c = model::modal_rest<Symbolic>(modes(), rest());
-  const model::Parameters<Symbolic> a{symbol("chi"), symbol("eta"), symbol("us"), V, omega, symbol("p")};
-  const Vector2 rows = model::two_slips<Symbolic>(a, modes(), load()(1), c, half_turn(), delta, mu);
+  const Vector2 rows = model::two_slips<Symbolic>(data(), modes(), load()(1), c, half_turn(), delta, mu);
   const auto states = model::two_slips_states<Symbolic>(V, modes(), load(), c, omega, half_turn(), delta, mu);
   // The response's own speeds z2' at 0 and tau, less V, are combinations of the rows.
   Vector4 Z0 = states.Z0;
@@ -236,11 +264,9 @@ std::vector<Equal> without_poles(Flows& flows) {
   flows.derivation.know(sum_of_sincs_differs());
   const Symbolic omega = symbol("omega"), omega1 = symbol("omega1"), omega2 = symbol("omega2");
   const Symbolic delta = symbol("delta"), mu = symbol("mu"), pi = half_turn();
-  const model::Parameters<Symbolic> a{symbol("chi"), symbol("eta"), symbol("us"),
-                                      symbol("V"),   omega,         symbol("p")};
   const Vector2 c = model::modal_rest<Symbolic>(modes(), rest());
-  const Vector2 rows = model::two_slips<Symbolic>(a, modes(), load()(1), c, pi, delta, mu);
-  const Vector2 entire = model::two_slips_without_poles<Symbolic>(a, modes(), c, pi, delta, mu);
+  const Vector2 rows = model::two_slips<Symbolic>(data(), modes(), load()(1), c, pi, delta, mu);
+  const Vector2 entire = model::two_slips_without_poles<Symbolic>(data(), modes(), c, pi, delta, mu);
   const auto D = [&](const Symbolic& omega_j) { return omega * omega - omega_j * omega_j; };
   const auto sine = [&](const Symbolic& omega_j) { return sin(pi * omega_j / omega); };
   return {{entire(0).term, (rows(0) * (D(omega1) * D(omega2))).term},
@@ -255,17 +281,7 @@ std::vector<Equal> one_response(Flows& flows) {
   return {{flows.derivation.read(stated), product.term}};
 }
 
-}  // namespace
-
-Proofs of_nonsticking() {
-  return {{"28.reduced", reduced(two_slips_close)},
-          {"28.poles", reduced(without_poles)},
-          {"28.unique", reduced(one_response)}};
-}
-
 // (18) and (20) against the rows odd, even and turn in (a, C, D, psi).
-
-namespace {
 
 model::OvershootingData<Symbolic> overshooting_data() {
   return {symbol("chi"), symbol("eta"),   modes(),     symbol("us"),
@@ -364,13 +380,54 @@ std::vector<Equal> overshooting_turn(Flows& flows) {
   return {{turn.term, ((modes().lambda2 - modes().lambda1) * difference).term}};
 }
 
-}  // namespace
-
-Proofs of_overshooting() {
-  return {{"20.stick", reduced(overshooting_stick)},
-          {"20.reduced", reduced(overshooting_sufficient)},
-          {"20.reduced.converse", reduced(overshooting_necessary)},
-          {"18.reduced", reduced(overshooting_turn)}};
+// (6) and (7) by modes.
+std::vector<Equal> modal_forms(Flows& flows) {
+  flows.used.merge(std::set<std::string>{"6.d0", "7"});
+  return {same(model::Q<Symbolic>(data(), modes()), load()),
+          same(model::d0<Symbolic>(symbol("chi"), symbol("us")), rest())};
 }
 
-}  // namespace stickslip::proofs::pascal2012::reduction
+// model/appendix3.hpp says the same as the twenty coefficients (47)-(51) that are printed.
+std::vector<Equal> computed(Derivation& derivation) {
+  const auto letters = model::appendix3_letters<Symbolic>(
+      symbol("chi"), modes(), {symbol("q1"), symbol("q2")}, {symbol("d01"), symbol("d02")}, symbol("omega"),
+      symbol("V"), symbol("phi"), symbol("tau"), symbol("tau1"), symbol("T"));
+  const auto k = model::appendix3<Symbolic>(letters, model::Reading::printed);
+  std::vector<Equal> result;
+  for (const auto& [letter, column] : {std::pair('a', k.a), {'b', k.b}, {'c', k.c}, {'d', k.d}}) {
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      const Claim& claim = derivation.prover().claim(fmt::format("{}.{}", 47 + i, letter));
+      result.push_back({column[i].term, derivation.read(claim.printed.front().right)});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace reduction
+
+Proofs reduced() {
+  using namespace reduction;
+  return {{"7.modal", compared_by(modal_forms)},
+          {"16.reduced", compared_by(symmetric_sufficient)},
+          {"16.reduced.converse", compared_by(symmetric_necessary)},
+          {"15.reduced", compared_by(symmetric_stick)},
+          {"15.reduced.converse", compared_by(symmetric_all_sticks)},
+          {"28.reduced", compared_by(two_slips_close)},
+          {"28.poles", compared_by(without_poles)},
+          {"28.unique", compared_by(one_response)},
+          {"20.stick", compared_by(overshooting_stick)},
+          {"20.reduced", compared_by(overshooting_sufficient)},
+          {"20.reduced.converse", compared_by(overshooting_necessary)},
+          {"18.reduced", compared_by(overshooting_turn)}};
+}
+
+Proofs computed_coefficients() {
+  return {{"51.formulas", [](Prover& prover, const Claim& claim) {
+             return compared(
+                 "the formulas that the program computes with and the printed ones have the same normal form",
+                 prover, claim, reduction::computed);
+           }}};
+}
+
+}  // namespace stickslip::proofs::pascal2012

@@ -8,9 +8,7 @@
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/by_slopes.hpp"
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
-#include "proofs/symbols/closing.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/closed.hpp"
 

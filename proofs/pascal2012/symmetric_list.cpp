@@ -14,15 +14,12 @@ using namespace tactics;
 
 namespace {
 
-Symbolic number(const Rational& value) {
-  return Term(value);
-}
-
 model::SymmetricData<Symbolic> data_of(const methods::Example& example, const SymmetricEquations& e) {
-  const model::Parameters<Rational>& a = example.data;
-  const Symbolic chi = number(a.chi);
-  return {chi,         model::modes_of<Symbolic>(chi, e.omega1, e.omega2), number(a.V), number(a.omega),
-          number(a.p), Symbolic(2) * Symbolic(pi()) / number(a.omega),     e.sigma};
+  const model::Parameters<Symbolic> a = Printed<Symbolic>{example}.data();
+  return {a.chi,  model::modes_of<Symbolic>(a.chi, e.omega1, e.omega2),
+          a.V,    a.omega,
+          a.p,    Symbolic(2) * Symbolic(pi()) / a.omega,
+          e.sigma};
 }
 
 // A row, left C = B + k T with the load's transfer T, and times D = omega_j^2 - omega^2 without a divisor:
@@ -42,7 +39,7 @@ struct Row {
 
 std::vector<Row> rows_of(const methods::Example& example, const SymmetricEquations& e) {
   const model::SymmetricData<Symbolic> data = data_of(example, e);
-  const Symbolic tau = e.tau, omega = number(example.data.omega);
+  const Symbolic tau = e.tau, omega = data.omega;
   const auto rows = model::symmetric_rows<Symbolic>(data, tau);
   std::vector<Row> result;
   for (const int j : {0, 1}) {
@@ -155,24 +152,18 @@ class List {
     }
     parts.push_back(all_are(found, amplitudes, same));
     // There are all these.
-    Theorem theorem = both(parts);
     std::vector<Formula> said = result.says;
     said.push_back(conclusion(result));
-    Formula exists = all(said);
-    for (std::size_t k = found.zeros.size(); k-- > 0;) {
-      exists = kernel::exists(result.C[k], exists);
-      Substitution values;
-      for (std::size_t i = 0; i < k; ++i) {
-        values.emplace(result.C[i], amplitudes[i]);
-      }
-      theorem = Theorem::witness(theorem, substitute(exists, values), amplitudes[k]);
-      exists = kernel::exists(found.zeros[k].x, exists);
-      theorem = Theorem::witness(theorem, substitute(exists, values), found.zeros[k].x);
+    std::vector<Variable> names;
+    Substitution values;
+    for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+      names.insert(names.end(), {result.tau[k], result.C[k]});
+      values.emplace(result.C[k], amplitudes[k]);
     }
+    result.theorem = there_are(names, all(said), values, both(parts));
     for (const orbits::EnclosedZero& zero : found.zeros) {
-      theorem = Theorem::choose(zero.exists, zero.x, theorem);
+      result.theorem = Theorem::choose(zero.exists, zero.x, result.theorem);
     }
-    result.theorem = theorem;
     return result;
   }
 
@@ -251,11 +242,10 @@ class List {
     solved[1 - j] = Theorem::cut(crossed, letters_.solves_other(rows[j], rows[1 - j]));
     std::vector<Theorem> parts{part(there, 0), part(there, 1), known.lower, known.upper};
     for (std::size_t i = 0; i < 2; ++i) {
-      Theorem row = letters_.unscaled(rows[i], known.value);
-      row = Theorem::cut(Theorem::cut(divides, solved[i]), row);
-      row = Theorem::cut(orbits::sign(differ(rows[i].D, 0), ranges_), row);
-      parts.push_back(Theorem::convert(Theorem::cut(transfer(i, zero.x), row),
-                                       rows_hold(zero.x, known.value).parts()[i], {e_.rows[i]}));
+      const Theorem row = cut_all({Theorem::cut(divides, solved[i]),
+                                   orbits::sign(differ(rows[i].D, 0), ranges_), transfer(i, zero.x)},
+                                  letters_.unscaled(rows[i], known.value));
+      parts.push_back(Theorem::convert(row, rows_hold(zero.x, known.value).parts()[i], {e_.rows[i]}));
     }
     return within_bounds(zero, both(parts));
   }
@@ -290,16 +280,10 @@ class List {
     const Theorem solved = Theorem::assume(holds), inside = Theorem::assume(during);
     std::vector<Term> taus;
     std::vector<Theorem> because;
-    Theorem only = found.only;
-    {
-      Theorem zero =
-          Theorem::convert(letters_.eliminated(rows_[0], rows_[1], e_.C), vanishes(e_.tau), {eliminant_});
-      for (const std::size_t j : {0, 1}) {
-        zero = Theorem::cut(scaled(j, e_.tau, e_.C), zero);
-      }
-      only = Theorem::cut(zero, only);
-    }
-    because.push_back(only);
+    const Theorem zero = cut_all(
+        {scaled(0, e_.tau, e_.C), scaled(1, e_.tau, e_.C)},
+        Theorem::convert(letters_.eliminated(rows_[0], rows_[1], e_.C), vanishes(e_.tau), {eliminant_}));
+    because.push_back(Theorem::cut(zero, found.only));
     for (std::size_t k = 0; k < same.size(); ++k) {
       const Variable& x = found.zeros[k].x;
       taus.emplace_back(x);
@@ -310,14 +294,12 @@ class List {
       because.push_back(Theorem::discharge(within_bounds(found.zeros[k], Theorem::cut(moved, same[k])),
                                            equation.conclusion()));
     }
-    Theorem result = Theorem::consequence(because, goal(taus, amplitudes));
     const Rational last = orbits::above(e_.Theta, ranges_);
-    for (const Theorem& known :
-         {part(inside, 0), Theorem::order(at_most(0, e_.tau), {{{part(inside, 0)}}}),
-          Theorem::order(at_most(e_.tau, last),
-                         {{{part(inside, 1)}}, {{Theorem::sign(less(e_.Theta, last))}}})}) {
-      result = Theorem::cut(known, result);
-    }
+    const Theorem result =
+        cut_all({part(inside, 0), Theorem::order(at_most(0, e_.tau), {{{part(inside, 0)}}}),
+                 Theorem::order(at_most(e_.tau, last),
+                                {{{part(inside, 1)}}, {{Theorem::sign(less(e_.Theta, last))}}})},
+                Theorem::consequence(because, goal(taus, amplitudes)));
     return for_every(e_.tau, during, for_every(e_.C, holds, result));
   }
 
@@ -334,14 +316,13 @@ class List {
 }  // namespace
 
 SymmetricEquations::SymmetricEquations(const methods::Example& example) {
-  const model::Parameters<Rational>& a = example.data;
   const model::SymmetricData<Symbolic> data = data_of(example, *this);
   Theta = data.Theta.term;
   for (const Row& row : rows_of(example, *this)) {
     rows.emplace_back(fmt::format("symmetric_row_{}", rows.size() + 1),
                       std::vector<Variable>{omega1, omega2, sigma, tau, C}, row.formula(C).parts()[0]);
   }
-  ur = model::friction_at<Symbolic>({data.chi, number(a.eta), number(a.us), data.V, data.omega, data.p},
+  ur = model::friction_at<Symbolic>(Printed<Symbolic>{example}.data(),
                                     model::symmetric_start<Symbolic>(data, tau, C),
                                     model::symmetric_phase<Symbolic>(data, pi(), tau))
            .term;

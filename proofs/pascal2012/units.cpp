@@ -95,12 +95,10 @@ Theorem quantities_exist(const Theorem& frequencies) {
                 stiff = positive(k, {{{stiff1}}, {{stiff2}}}), by_k = inverse_is_positive(stiff),
                 by_m1 = inverse_is_positive(heavy1), by_m2 = inverse_is_positive(heavy2);
   const Term ratio = k2 / k, masses = Term(m1) / m2, rate = k / m1;
-  Theorem exist = Theorem::instantiate(frequencies, {{{"chi"}, ratio}, {{"eta"}, masses}});
-  for (const Theorem& known :
-       {positive(ratio, {{{stiff2, by_k}}}), Theorem::order(less(ratio, 1), {Positive{{stiff1, by_k}}}),
-        positive(masses, {{{heavy1, by_m2}}})}) {
-    exist = Theorem::cut(known, exist);
-  }
+  const Theorem exist = cut_all(
+      {positive(ratio, {{{stiff2, by_k}}}), Theorem::order(less(ratio, 1), {Positive{{stiff1, by_k}}}),
+       positive(masses, {{{heavy1, by_m2}}})},
+      Theorem::instantiate(frequencies, {{{"chi"}, ratio}, {{"eta"}, masses}}));
   const Theorem scale =
       detach(Theorem::square_root(rate), Theorem::order(at_most(0, rate), {Positive{{stiff, by_m1}}}));
   return Theorem::cut(different(stiff), nonzero(both({exist, scale}), {heavy1, heavy2}));

@@ -9,7 +9,7 @@
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -127,11 +127,11 @@ class AtTheData {
     }
     const Formula during = kernel::between(0, tau_, Theta_), vanishes = determinant_vanishes(tau_);
     const Theorem inside = Theorem::assume(during);
-    Theorem all = Theorem::consequence(cases, kernel::any(those));
-    all = Theorem::cut(Theorem::order(at_most(0, tau_), {{{tactics::part(inside, 0)}}}), all);
-    all = Theorem::cut(Theorem::order(at_most(tau_, last),
-                                      {{{tactics::part(inside, 1)}}, {{Theorem::sign(less(Theta_, last))}}}),
-                       all);
+    const Theorem all = tactics::cut_all(
+        {Theorem::order(at_most(0, tau_), {{{tactics::part(inside, 0)}}}),
+         Theorem::order(at_most(tau_, last),
+                        {{{tactics::part(inside, 1)}}, {{Theorem::sign(less(Theta_, last))}}})},
+        Theorem::consequence(cases, kernel::any(those)));
     parts.push_back(tactics::for_every(tau_, during, Theorem::discharge(all, vanishes)));
     return orbits::there_are(zeros, tactics::both(parts));
   }
@@ -254,16 +254,8 @@ class AtTheData {
                  : std::nullopt;
     });
     const std::vector<kernel::Variable> z{{"z10"}, {"z20"}, {"zdot10"}};
-    Formula says = equal(at(matrix, zero.x) * kernel::matrix(4, 1, {z[0], z[1], z[2], 1}), nothing);
-    for (std::size_t k = z.size(); k-- > 0;) {
-      says = exists(z[k], says);
-      kernel::Substitution values;
-      for (std::size_t i = 0; i < k; ++i) {
-        values.emplace(z[i], x[i]);
-      }
-      result = Theorem::witness(result, substitute(says, values), x[k]);
-    }
-    return result;
+    const Formula says = equal(at(matrix, zero.x) * kernel::matrix(4, 1, {z[0], z[1], z[2], 1}), nothing);
+    return tactics::there_are(z, says, {{z[0], x[0]}, {z[1], x[1]}, {z[2], x[2]}}, result);
   }
   const LastFactor last_ = last_factor();
   // Of the determinant without cosines, in parts of that factor.

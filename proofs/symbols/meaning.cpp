@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "proofs/symbols/derived.hpp"
 #include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/sample.hpp"
 
@@ -55,7 +54,7 @@ bool is_in_field(const Term& term) {
        detail::formula_of<S>(matrices, term.name()) == matrices.end())) {
     return false;
   }
-  return std::all_of(term.arguments().begin(), term.arguments().end(), is_in_field);
+  return std::ranges::all_of(term.arguments(), is_in_field);
 }
 
 using numeric::scalars::Exact;

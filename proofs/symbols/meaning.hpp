@@ -27,11 +27,18 @@ template <class S>
 extern template Value<Ball> evaluate(const Term&, const Lookup<Ball>&);
 extern template Value<numeric::scalars::Exact> evaluate(const Term&, const Lookup<numeric::scalars::Exact>&);
 
-// The value of one side of a statement: a plain 0 takes the shape of the other side.
+// The values of both sides of a statement: a plain 0 takes the shape of the other side.
 template <class S>
-[[nodiscard]] Value<S> evaluate_beside(const Term& side, const Term& other, const Lookup<S>& scalar) {
-  return side.is_zero() ? Value<S>(Value<S>::Constant(other.shape().rows, other.shape().columns, S(0)))
-                        : evaluate<S>(side, scalar);
+struct Sides {
+  Value<S> left, right;
+};
+template <class S>
+[[nodiscard]] Sides<S> both_sides(const Statement& statement, const Lookup<S>& scalar) {
+  const auto value = [&](const Term& side, const Term& other) {
+    return side.is_zero() ? Value<S>(Value<S>::Constant(other.shape().rows, other.shape().columns, S(0)))
+                          : evaluate<S>(side, scalar);
+  };
+  return {value(statement.left, statement.right), value(statement.right, statement.left)};
 }
 
 // Whether it is an element of the field in which identities are decided: every name has a meaning in the

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 
 #include "proofs/symbols/parse_tree.hpp"
@@ -60,6 +61,12 @@ Names names_of(const Symbols& table) {
     }
   }
   return names;
+}
+
+bool is_name(const std::string& word) {
+  return !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0 &&
+         std::ranges::all_of(
+             word, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
 }
 
 std::vector<Statement> parse_statements(std::string_view line, const Names& names) {

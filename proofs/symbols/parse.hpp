@@ -43,6 +43,8 @@ struct Names {
 };
 
 [[nodiscard]] Names names_of(const Symbols& table);
+// Whether it can be the name of a symbol: a letter, then letters, digits and '_'.
+[[nodiscard]] bool is_name(const std::string& word);
 
 // A line that cannot be read. The message is a sentence that begins with the column, from 1.
 class ParseError : public UsageError {

@@ -20,18 +20,15 @@ std::string sizes(const Shape& shape) {
                               : fmt::format("a {} x {} matrix", shape.rows, shape.columns);
 }
 
-// A size that may not be known: 0 rows or columns are not.
-struct Size {
-  int rows = 0, columns = 0;
-  [[nodiscard]] bool known() const { return rows > 0 && columns > 0; }
-  [[nodiscard]] bool is_scalar() const { return rows == 1 && columns == 1; }
-  void learn(const Size& other) {
-    rows = rows > 0 ? rows : other.rows;
-    columns = columns > 0 ? columns : other.columns;
-  }
-};
-
-constexpr Size scalar_size{1, 1};
+// Here a size may not be known: 0 rows or columns are not.
+constexpr Shape unknown_size{0, 0}, scalar_size{1, 1};
+bool is_known(const Shape& size) {
+  return size.rows > 0 && size.columns > 0;
+}
+void learn(Shape& size, const Shape& other) {
+  size.rows = size.rows > 0 ? size.rows : other.rows;
+  size.columns = size.columns > 0 ? size.columns : other.columns;
+}
 
 // Trees to terms: 0, I and what stands about them take the sizes that fit.
 class Shaper {
@@ -39,9 +36,9 @@ class Shaper {
   Shaper(std::string_view line, const Names& names) : line_(line), names_(names) {}
 
   [[nodiscard]] std::pair<Term, Term> sides(const Node& left, const Node& right) const {
-    Size size = size_of(left);
-    size.learn(size_of(right, size));
-    size.learn(size_of(left, size));
+    Shape size = size_of(left);
+    learn(size, size_of(right, size));
+    learn(size, size_of(left, size));
     const Term a = sized(left, size), b = sized(right, size);
     require_same(right, b, a);
     return {a, b};
@@ -56,7 +53,7 @@ class Shaper {
   }
 
   // Of that size, where it leaves that open.
-  [[nodiscard]] Term made(const Node& node, const Size& wanted) const {
+  [[nodiscard]] Term made(const Node& node, const Shape& wanted) const {
     if (node.abbreviation != nullptr) {
       Replacements arguments;
       for (std::size_t k = 0; k < node.parts.size(); ++k) {
@@ -96,7 +93,7 @@ class Shaper {
       case Op::block:
         return block_made(node, wanted);
       case Op::determinant: {
-        const Term inside = made(node.parts[0], {});
+        const Term inside = made(node.parts[0], unknown_size);
         require_square(node, inside);
         return determinant(inside);
       }
@@ -108,9 +105,9 @@ class Shaper {
   [[noreturn]] void fail(std::size_t at, const std::string& what) const { throw ParseError(line_, at, what); }
 
   // A part of a formula: a 0 has the size that is wanted there.
-  [[nodiscard]] Term sized(const Node& part, const Size& wanted) const {
+  [[nodiscard]] Term sized(const Node& part, const Shape& wanted) const {
     const bool is_zero = part.op == Op::number && part.number == 0;
-    return is_zero && wanted.known() ? zero(wanted.rows, wanted.columns) : made(part, wanted);
+    return is_zero && is_known(wanted) ? zero(wanted.rows, wanted.columns) : made(part, wanted);
   }
 
   void require_same(const Node& node, const Term& term, const Term& other) const {
@@ -127,46 +124,43 @@ class Shaper {
   }
 
   // As far as it is known: of it alone, or with what is known of its place.
-  [[nodiscard]] Size size_of(const Node& node, Size wanted = {}) const {
+  [[nodiscard]] Shape size_of(const Node& node, Shape wanted = unknown_size) const {
     const std::array<int, 2> place{wanted.rows, wanted.columns};
     const auto found = known_.find({&node, place});
     return found != known_.end()
                ? found->second
                : known_.emplace(std::pair(&node, place), look_at(node, wanted)).first->second;
   }
-  [[nodiscard]] Size look_at(const Node& node, const Size& wanted) const {
+  [[nodiscard]] Shape look_at(const Node& node, const Shape& wanted) const {
     if (node.abbreviation != nullptr) {
-      const Shape shape = node.abbreviation->means.shape();
-      return {shape.rows, shape.columns};
+      return node.abbreviation->means.shape();
     }
     switch (node.op) {
       case Op::number:
         return node.number == 0 ? wanted : scalar_size;
       case Op::symbol: {
         const auto found = names_.quantities.find(node.name);
-        return found == names_.quantities.end() ? square(wanted)
-                                                : Size{found->second.rows, found->second.columns};
+        return found == names_.quantities.end() ? square(wanted) : found->second;
       }
       case Op::function: {
         const auto found = names_.functions.find(node.name);
-        return found == names_.functions.end() ? scalar_size
-                                               : Size{found->second.rows, found->second.columns};
+        return found == names_.functions.end() ? scalar_size : found->second;
       }
       case Op::sum: {
-        Size size;
+        Shape size = unknown_size;
         for (const Node& part : node.parts) {
-          size.learn(size_of(part));
+          learn(size, size_of(part));
         }
-        size.learn(wanted);
+        learn(size, wanted);
         return size;
       }
       case Op::product: {
-        const std::vector<Size> factors = chain(node, wanted);
-        Size size = scalar_size;
+        const std::vector<Shape> factors = chain(node, wanted);
+        Shape size = scalar_size;
         bool first = true;
-        for (const Size& factor : factors) {
+        for (const Shape& factor : factors) {
           if (!factor.is_scalar()) {
-            size = first ? factor : Size{size.rows, factor.columns};
+            size = first ? factor : Shape{size.rows, factor.columns};
             first = false;
           }
         }
@@ -188,17 +182,17 @@ class Shaper {
       case Op::determinant:
         return scalar_size;
     }
-    return {};
+    return unknown_size;
   }
 
-  [[nodiscard]] static Size square(Size size) {
-    size.learn({size.columns, size.rows});
+  [[nodiscard]] static Shape square(Shape size) {
+    learn(size, {size.columns, size.rows});
     return size;
   }
 
   // Of each factor, as far as the others and the place of the product say. A 0 that may be a number is one.
-  [[nodiscard]] std::vector<Size> chain(const Node& node, const Size& wanted) const {
-    std::vector<Size> sizes;
+  [[nodiscard]] std::vector<Shape> chain(const Node& node, const Shape& wanted) const {
+    std::vector<Shape> sizes;
     std::vector<std::size_t> big;  // the factors that are no numbers
     for (const Node& part : node.parts) {
       sizes.push_back(size_of(part));
@@ -209,23 +203,23 @@ class Shaper {
     if (big.empty()) {
       return sizes;
     }
-    sizes[big.front()].learn({wanted.rows, 0});
-    sizes[big.back()].learn({0, wanted.columns});
+    learn(sizes[big.front()], {wanted.rows, 0});
+    learn(sizes[big.back()], {0, wanted.columns});
     const auto look = [&](std::size_t k) { sizes[k] = size_of(node.parts[k], sizes[k]); };
     for (std::size_t k = 0; k < big.size(); ++k) {
       if (k > 0) {
-        sizes[big[k]].learn({sizes[big[k - 1]].columns, 0});
+        learn(sizes[big[k]], {sizes[big[k - 1]].columns, 0});
       }
       look(big[k]);
     }
     for (std::size_t k = big.size(); k-- > 0;) {
       if (k + 1 < big.size()) {
-        sizes[big[k]].learn({0, sizes[big[k + 1]].rows});
+        learn(sizes[big[k]], {0, sizes[big[k + 1]].rows});
       }
       look(big[k]);
     }
     for (std::size_t k = 0; k < sizes.size(); ++k) {
-      if (node.parts[k].op == Op::number && !sizes[k].known()) {
+      if (node.parts[k].op == Op::number && !is_known(sizes[k])) {
         sizes[k] = scalar_size;
       }
     }
@@ -237,7 +231,7 @@ class Shaper {
     std::vector<int> heights, widths;  // 0 for what is not known
   };
 
-  [[nodiscard]] Grid grid_of(const Node& node, const Size& wanted) const {
+  [[nodiscard]] Grid grid_of(const Node& node, const Shape& wanted) const {
     const auto rows = static_cast<std::size_t>(node.number.get_num().get_si());
     Grid grid{node.parts.size() / rows, std::vector<int>(rows, 0), {}};
     grid.widths.assign(grid.per_row, 0);
@@ -245,8 +239,8 @@ class Shaper {
       for (std::size_t again = 0; again < 2; ++again) {
         for (std::size_t k = 0; k < node.parts.size(); ++k) {
           int &height = grid.heights[k / grid.per_row], &width = grid.widths[k % grid.per_row];
-          Size size{height, width};
-          size.learn(size_of(node.parts[k], size));
+          Shape size{height, width};
+          learn(size, size_of(node.parts[k], size));
           height = size.rows;
           width = size.columns;
         }
@@ -269,27 +263,26 @@ class Shaper {
     }
   }
 
-  [[nodiscard]] Term symbol(const Node& node, const Size& wanted) const {
+  [[nodiscard]] Term symbol(const Node& node, const Shape& wanted) const {
     if (node.name != "I" || names_.quantities.contains("I")) {
       const Shape shape = names_.quantities.find(node.name)->second;
       return Term(Term::Node{Op::symbol, shape, node.name, 0, {}});
     }
-    if (!wanted.known()) {
+    if (!is_known(wanted)) {
       fail(node.at, "nothing says how large this I is");
     }
     if (wanted.rows != wanted.columns || wanted.is_scalar()) {
-      fail(node.at, fmt::format("I stands where {} belongs", sizes({wanted.rows, wanted.columns})));
+      fail(node.at, fmt::format("I stands where {} belongs", sizes(wanted)));
     }
     return identity(wanted.rows);
   }
 
-  [[nodiscard]] Term sum_made(const Node& node, const Size& wanted) const {
-    Size size = size_of(node, wanted);
+  [[nodiscard]] Term sum_made(const Node& node, const Shape& wanted) const {
+    Shape size = size_of(node, wanted);
     for (const Node& part : node.parts) {  // what is known in part has made up its mind
-      const Size known = size_of(part);
-      if (!size.known() && (known.rows > 0 || known.columns > 0)) {
-        const Shape shape = made(part, size).shape();
-        size = {shape.rows, shape.columns};
+      const Shape known = size_of(part);
+      if (!is_known(size) && (known.rows > 0 || known.columns > 0)) {
+        size = made(part, size).shape();
       }
     }
     std::optional<Term> sum;
@@ -303,11 +296,11 @@ class Shaper {
     return *sum;
   }
 
-  [[nodiscard]] Term product_made(const Node& node, const Size& wanted) const {
-    const std::vector<Size> sizes_of_factors = chain(node, wanted);
+  [[nodiscard]] Term product_made(const Node& node, const Shape& wanted) const {
+    const std::vector<Shape> sizes_of_factors = chain(node, wanted);
     std::optional<Term> product;
     for (std::size_t k = 0; k < node.parts.size(); ++k) {
-      const Size& size = sizes_of_factors[k];
+      const Shape& size = sizes_of_factors[k];
       const Term factor = sized(node.parts[k], size);
       const Shape right = factor.shape(), left = product ? product->shape() : Shape{};
       if (!left.is_scalar() && !right.is_scalar() && left.columns != right.rows) {
@@ -319,17 +312,17 @@ class Shaper {
     return *product;
   }
 
-  [[nodiscard]] Term block_made(const Node& node, const Size& wanted) const {
+  [[nodiscard]] Term block_made(const Node& node, const Shape& wanted) const {
     Grid grid = grid_of(node, wanted);
     std::ranges::replace(grid.heights, 0, 1);
     std::ranges::replace(grid.widths, 0, 1);
     std::vector<Term> blocks;
     for (std::size_t k = 0; k < node.parts.size(); ++k) {
-      const Size size{grid.heights[k / grid.per_row], grid.widths[k % grid.per_row]};
+      const Shape size{grid.heights[k / grid.per_row], grid.widths[k % grid.per_row]};
       Term one = sized(node.parts[k], size);
-      if (one.shape() != Shape{size.rows, size.columns}) {
+      if (one.shape() != size) {
         fail(node.parts[k].at, fmt::format("this is {}, and its row and column of blocks ask for {}",
-                                           sizes(one.shape()), sizes({size.rows, size.columns})));
+                                           sizes(one.shape()), sizes(size)));
       }
       blocks.push_back(std::move(one));
     }
@@ -338,7 +331,7 @@ class Shaper {
 
   std::string_view line_;
   const Names& names_;
-  mutable std::map<std::pair<const Node *, std::array<int, 2>>, Size> known_;  // what size_of() found
+  mutable std::map<std::pair<const Node *, std::array<int, 2>>, Shape> known_;  // what size_of() found
 };
 
 }  // namespace
@@ -353,7 +346,7 @@ Term number_of(const Node& node, std::string_view line, const Names& names) {
 }
 
 Term term_of(const Node& node, std::string_view line, const Names& names, const std::optional<Shape>& shape) {
-  return Shaper(line, names).made(node, shape ? Size{shape->rows, shape->columns} : Size{});
+  return Shaper(line, names).made(node, shape.value_or(unknown_size));
 }
 
 }  // namespace stickslip::proofs::symbols::parsing

@@ -3,7 +3,7 @@
 #include <atomic>
 
 #include "core/error.hpp"
-#include "proofs/symbols/closing.hpp"
+#include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::symbols {
 
@@ -190,18 +190,39 @@ void add(std::vector<Symbol>& symbols, const Row& row) {
   }
 }
 
+// The column of four with 1 in place i, from 0.
+Term unit(std::size_t i) {
+  std::vector<Term> entries(4, Term(0));
+  entries.at(i) = 1;
+  return column(entries);
+}
+
+// What equation i of (21) says is zero, of slip on (0, tau), overshoot on (tau, tau + tau1), stick: the
+// components z1, z2, z1' of Z_C - Gamma(-T) Z_0, then z2' - V at tau and at tau + tau1.
+Term closing_gap(int i) {
+  const Term after_slip = H(tau) * (Z0 - F0) + F(tau);                                   // (5)
+  const Term after_both = H(tau + tau1) * (Z0 - F0) + 2 * L(tau1) * d0 + F(tau + tau1);  // and (8)
+  return i <= 3 ? component(static_cast<std::size_t>(i - 1), after_both - Gamma(-T) * Z0)
+                : component(3, i == 4 ? after_slip : after_both) - V;
+}
+// a_i, b_i, c_i are what stands beside z_1(0), z_2(0), z_1'(0) in it, with z_2'(0) = V, and d_i is the rest.
+Term coefficient_of_gap(char letter, int i) {
+  const auto at = [&](std::size_t unknown) {
+    std::vector<Term> state{0, 0, 0, V};
+    state[unknown] = unknown < 3 ? Term(1) : V;
+    return substitute(closing_gap(i), {{"Z0", column(state)}});
+  };
+  return letter == 'd' ? at(3) : at(static_cast<std::size_t>(letter - 'a')) - at(3);
+}
+
 // The entries of Appendix 3: another index, or the same entry of another H.
 void add_entries(std::vector<Symbol>& symbols, const std::string& letter, const Term& matrix) {
-  const auto unit = [](int index) {
-    std::vector<Term> result(4, Term(0));
-    result[static_cast<std::size_t>(index - 1)] = 1;
-    return result;
-  };
   for (int row = 1; row <= 4; ++row) {
+    const Term of_row = component(static_cast<std::size_t>(row - 1), matrix);
     for (int column = 1; column <= 4; ++column) {
       const auto name = [](const std::string& of, int i, int j) { return Entries{of}(i, j).name(); };
       Symbol symbol{name(letter, row, column)};
-      symbol.value = block(1, unit(row)) * matrix * symbols::column(unit(column));
+      symbol.value = of_row * unit(static_cast<std::size_t>(column - 1));
       for (int i = 1; i <= 4; ++i) {
         symbol.other_indices.push_back(name(letter, i, column));
         symbol.other_indices.push_back(name(letter, row, i));
@@ -226,7 +247,7 @@ Symbols symbols_of_oscillator() {
     Row row{.names = {}};
     for (int i = 1; i <= 5; ++i) {
       row.names.push_back(coefficient(letter, i));
-      row.means.push_back(closing::coefficient_of_gap(letter, i));
+      row.means.push_back(coefficient_of_gap(letter, i));
     }
     add(symbols, row);
   }
@@ -258,7 +279,7 @@ thread_local const Vocabulary * in_force = nullptr;
 Symbols::Symbols(std::vector<Symbol> rows) : rows_(std::move(rows)) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     std::vector<std::size_t>& places = places_[rows_[i].name];
-    if (std::any_of(places.begin(), places.end(), [&](std::size_t k) {
+    if (std::ranges::any_of(places, [&](std::size_t k) {
           return rows_[k].shape == rows_[i].shape && rows_[k].of_time == rows_[i].of_time;
         })) {
       throw InternalError("the symbol " + rows_[i].name + " stands twice in the table");

@@ -18,7 +18,7 @@ struct Symbol {
   Shape shape = {};
   bool of_time = false;  // a function of one scalar, as H(t)
   // The claim that says what it is, if it needs one; the claim that gives it by a formula of model/
-  // (derived.hpp) and stays closed unless an identity needs to look inside.
+  // (sample.hpp) and stays closed unless an identity needs to look inside.
   std::string defined_in = {}, formula_in = {};
   std::optional<Term> value = {};  // what it stands for; nothing for itself, or for a formula of model/
   // What a misprint may put in its place: names that differ in the index, and of other things of its shape.

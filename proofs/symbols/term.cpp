@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -256,6 +257,15 @@ Statement substitute(const Statement& statement, const Replacements& replacement
   result.left = substitute(statement.left, within);
   result.right = substitute(statement.right, within);
   return result;
+}
+
+Statement with_less(Statement statement) {
+  const bool strict = statement.relation == Relation::greater;
+  if (strict || statement.relation == Relation::greater_or_equal) {
+    std::swap(statement.left, statement.right);
+    statement.relation = strict ? Relation::less : Relation::less_or_equal;
+  }
+  return statement;
 }
 
 bool equal(const Term& a, const Term& b) {

@@ -147,6 +147,8 @@ struct Statement {
   return statement;
 }
 [[nodiscard]] Statement substitute(const Statement& statement, const Replacements& replacements);
+// b < a for a > b, b <= a for a >= b; any other as it is.
+[[nodiscard]] Statement with_less(Statement statement);
 [[nodiscard]] bool equal(const Statement& a, const Statement& b);
 
 // As LaTeX, and as one line of plain text for a terminal.

@@ -1,6 +1,8 @@
 // Terms as LaTeX and as plain text: one walk over the tree, two vocabularies.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "proofs/symbols/term.hpp"
 #include "symbolic/typeset/names.hpp"
 
@@ -196,22 +198,9 @@ Piece print(const Term& term, Style style) {
 }
 
 std::string symbol_of(Relation relation, Style style) {
-  const bool latex = style == Style::latex;
-  switch (relation) {
-    case Relation::equal:
-      return "=";
-    case Relation::not_equal:
-      return latex ? "\\neq" : "!=";
-    case Relation::less:
-      return "<";
-    case Relation::less_or_equal:
-      return latex ? "\\leq" : "<=";
-    case Relation::greater:
-      return ">";
-    case Relation::greater_or_equal:
-      return latex ? "\\geq" : ">=";
-  }
-  return "=";
+  constexpr std::array in_latex{"=", "\\neq", "<", "\\leq", ">", "\\geq"},
+      in_text{"=", "!=", "<", "<=", ">", ">="};
+  return (style == Style::latex ? in_latex : in_text).at(static_cast<std::size_t>(relation));
 }
 
 std::string print(const Statement& statement, Style style) {

@@ -33,6 +33,24 @@ Theorem part(const Theorem& conjunction, std::size_t index) {
   return Theorem::consequence({conjunction}, conjunction.conclusion().parts().at(index));
 }
 
+Theorem cut_all(const std::vector<Theorem>& lemmas, Theorem theorem) {
+  for (const Theorem& lemma : lemmas) {
+    theorem = Theorem::cut(lemma, theorem);
+  }
+  return theorem;
+}
+
+Theorem there_are(const std::vector<Variable>& names, Formula formula, const kernel::Substitution& values,
+                  Theorem theorem) {
+  for (auto name = names.rbegin(); name != names.rend(); ++name) {
+    formula = exists(*name, formula);
+    const auto value = values.find(*name);
+    theorem = Theorem::witness(theorem, substitute(formula, values),
+                               value != values.end() ? value->second : Term(*name));
+  }
+  return theorem;
+}
+
 Theorem detach(const Theorem& implication, const Theorem& premise) {
   return Theorem::consequence({implication, premise}, implication.conclusion().parts().at(1));
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -26,10 +27,38 @@ using Domain = std::vector<Theorem>;
 [[nodiscard]] Theorem above(const Term& lower, const Variable& x);
 [[nodiscard]] Theorem below(const Variable& x, const Term& upper);
 
+// ---- Searches
+// What the work makes; nothing where it throws KernelError.
+template <class Work>
+[[nodiscard]] auto attempt(const Work& work) -> std::optional<decltype(work())> {
+  try {
+    return work();
+  } catch (const kernel::KernelError&) {
+    return std::nullopt;
+  }
+}
+// What it makes of the first of these with which it does not throw that.
+template <class All, class Work>
+[[nodiscard]] auto first_that_works(const All& all, const Work& work)
+    -> std::optional<decltype(work(*std::begin(all)))> {
+  for (const auto& one : all) {
+    if (auto made = attempt([&] { return work(one); })) {
+      return made;
+    }
+  }
+  return std::nullopt;
+}
+
 // ---- Logic
 [[nodiscard]] Theorem symmetric(const Theorem& equation);       // a = b gives b = a
 [[nodiscard]] Theorem both(const std::vector<Theorem>& parts);  // their conjunction
 [[nodiscard]] Theorem part(const Theorem& conjunction, std::size_t index);
+// A, B, … ⊢ C and ⊢ A, ⊢ B, … give ⊢ C, one after the other.
+[[nodiscard]] Theorem cut_all(const std::vector<Theorem>& lemmas, Theorem theorem);
+// The formula with the values of these names ⊢ there are names: the formula. A name without a value stands
+// for itself.
+[[nodiscard]] Theorem there_are(const std::vector<Variable>& names, Formula formula,
+                                const kernel::Substitution& values, Theorem theorem);
 // A ⇒ C and A give C.
 [[nodiscard]] Theorem detach(const Theorem& implication, const Theorem& premise);
 // for all t: A(t) ⇒ C(t), and A(x), give C(x).

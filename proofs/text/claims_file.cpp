@@ -24,6 +24,7 @@
 namespace stickslip::proofs::text {
 
 using namespace methods;
+using symbols::is_name;
 using symbols::Names;
 using symbols::Statement;
 using symbols::Term;
@@ -60,12 +61,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
     parts.push_back(trimmed(part));
   }
   return parts;
-}
-
-bool is_name(const std::string& name) {
-  return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
-         std::ranges::all_of(
-             name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
 }
 
 // Of claims, assumptions and sections: they become names of files.
@@ -416,14 +411,13 @@ class Reading {
 
   // "number < symbol" or "symbol < number", however it is turned.
   void add_to_domain(const Statement& one) {
-    const bool turned = one.relation == symbols::Relation::greater;
-    const Term &lower = turned ? one.right : one.left, &upper = turned ? one.left : one.right;
+    const Statement below = symbols::with_less(one);
+    const Term &lower = below.left, &upper = below.right;
     const std::optional<Rational> least = constant(lower), greatest = constant(upper);
     const Term& symbol = least ? upper : lower;
     const bool is_own = symbol.op() == symbols::Op::symbol &&
                         std::ranges::find(rows_, symbol.name(), &symbols::Symbol::name) != rows_.end();
-    if (!(turned || one.relation == symbols::Relation::less) || !(least || greatest) || !is_own ||
-        one.during) {
+    if (below.relation != symbols::Relation::less || !(least || greatest) || !is_own || one.during) {
       fail(fmt::format("'{}': a domain says that a symbol of the file is less or greater than a number",
                        symbols::text(one)));
     }

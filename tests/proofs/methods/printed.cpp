@@ -1,5 +1,4 @@
 // Kernel terms as they are printed, and what one printed divisor says of another.
-#include "proofs/methods/printed.hpp"
 
 #include <doctest/doctest.h>
 

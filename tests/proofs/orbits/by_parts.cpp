@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "tests/proofs/orbits/letters.hpp"
 
 using namespace stickslip;

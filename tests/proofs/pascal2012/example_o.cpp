@@ -4,7 +4,7 @@
 #include "proofs/orbits/by_slopes.hpp"
 #include "proofs/pascal2012/example_o_closing.hpp"
 #include "proofs/pascal2012/examples.hpp"
-#include "proofs/pascal2012/frequencies.hpp"
+#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "tests/proofs/checks/decided.hpp"
 

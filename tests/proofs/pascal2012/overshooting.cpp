@@ -5,7 +5,6 @@
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/refutation.hpp"
 #include "proofs/pascal2012/paper.hpp"
-#include "proofs/symbols/closing.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "tests/proofs/checks/decided.hpp"
 #include "tests/proofs/checks/wrong.hpp"
@@ -16,7 +15,6 @@ using namespace stickslip::proofs::checks;
 using namespace stickslip::proofs::methods;
 using namespace stickslip::proofs::pascal2012;
 using namespace stickslip::proofs::symbols;
-using namespace stickslip::proofs::symbols::closing;
 using namespace stickslip::proofs::symbols::vocabulary;
 
 namespace {

@@ -8,8 +8,8 @@
 #include <regex>
 #include <set>
 
-#include "proofs/methods/printed.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/methods/reading.hpp"
 #include "proofs/pascal2012/paper.hpp"
 
 using namespace stickslip;
