@@ -430,4 +430,9 @@ std::string names_of(const Definitions& definitions) {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
+std::string opening(const std::string& before, const Definitions& definitions, const std::string& after) {
+  return definitions.empty() ? ""
+                             : fmt::format("{}cbv beta delta [{}]{}", before, names_of(definitions), after);
+}
+
 }  // namespace stickslip::proofs::certificates

@@ -27,27 +27,12 @@ std::optional<Theorem> where_it_works(const Attempt& attempt) {
   }
 }
 
-void collect_definitions(const Term& term, std::set<Term>& seen, Definitions& found) {
-  if (!seen.insert(term).second) {
-    return;
-  }
-  if (term.kind() == Kind::defined && found.insert(term.definition()).second) {
-    collect_definitions(term.definition().body(), seen, found);
-  }
-  for (const Term& part : term.parts()) {
-    collect_definitions(part, seen, found);
-  }
-}
-
 Theorem equation(const Formula& formula) {
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
   if (a == b) {
     return Theorem::reflexive(a);
   }
-  std::set<Term> seen;
-  Definitions all;
-  collect_definitions(formula, seen, all);
-  return without_hypotheses(Theorem::combination(formula, {}, all));
+  return without_hypotheses(Theorem::combination(formula, {}, definitions_in({formula})));
 }
 
 // a < b or a ≤ b, the latter also as a = b.

@@ -15,6 +15,21 @@ Theorem below(const Variable& x, const Term& upper) {
   return Theorem::assume(less(x, upper));
 }
 
+Definitions definitions_in(std::vector<Term> terms) {
+  Definitions found;
+  while (!terms.empty()) {
+    std::vector<Term> bodies;
+    each_part(terms, [&](const Term& part) {
+      if (part.kind() == Kind::defined && found.insert(part.definition()).second) {
+        bodies.push_back(part.definition().body());
+      }
+      return true;
+    });
+    terms = bodies;
+  }
+  return found;
+}
+
 Theorem symmetric(const Theorem& equation) {
   const Term a = equation.conclusion().parts().at(0);
   const Variable x = fresh(a.type(), {equation.conclusion()});
