@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "proofs/certificates/script.hpp"
+#include "proofs/orbits/along.hpp"
 
 namespace stickslip::proofs::certificates {
 
@@ -90,9 +91,7 @@ std::string Script::zeros_between(const Theorem& theorem, const Scope& scope) {
   const bool sine = premises[0].conclusion().parts()[0].kind() == Kind::sine;
   const Rational offset = sine ? Rational(0) : Rational(1, 2);
   const Rational from = premises[1].conclusion().parts()[0].parts()[0].value() - offset;
-  mpz_class first;
-  mpz_fdiv_q(first.get_mpz_t(), from.get_num_mpz_t(), from.get_den_mpz_t());
-  first += 1;
+  const mpz_class first = orbits::rounded_down(from, 1).get_num() + 1;
   const std::size_t cases = theorem.conclusion().parts().size();
   const mpz_class last = first + cases;
   std::string text = fmt::format(

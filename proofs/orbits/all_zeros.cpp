@@ -80,14 +80,6 @@ class Zeros {
   [[nodiscard]] Term value(const Term& x) const { return with(f_.value, x); }
   [[nodiscard]] Term slope(const Term& x) const { return with(f_.slope, x); }
   [[nodiscard]] Term function(bool rises) const { return lambda(s_, rises ? value(s_) : -value(s_)); }
-  [[nodiscard]] bool holds(const Formula& relation) const {
-    try {
-      static_cast<void>(sign(relation, ranges_));
-      return true;
-    } catch (const KernelError&) {
-      return false;
-    }
-  }
   [[nodiscard]] Theorem discharged(const Theorem& theorem) const {
     return without_divisors(theorem, ranges_);
   }
@@ -96,7 +88,7 @@ class Zeros {
   void enclose(const Rational& nearly, const Variable& x) {
     constexpr long unit = 1000000000;
     const Rational a = rounded_down(nearly, unit) - Rational(1, unit), b = a + Rational(3, unit);
-    const bool rises = holds(less(value(a), 0));
+    const bool rises = holds(less(value(a), 0), ranges_);
     const Term f = function(rises);
     const Theorem found = Theorem::intermediate_value(
         discharged(Theorem::continuity(f, a, b)), sign(less(apply(f, a), 0), ranges_),
@@ -246,9 +238,7 @@ Theorem row(const Formula& equation, const std::vector<Term>& terms, const Theor
             const Substitution& entries) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
     if (equation == equal(substitute(terms[i], entries), 0)) {
-      std::vector<Term> unit(terms.size(), 0);
-      unit[i] = 1;
-      return Theorem::combination(equation, {{vanishes, matrix(1, static_cast<int>(unit.size()), unit)}});
+      return Theorem::combination(equation, {{vanishes, unit(1, static_cast<int>(terms.size()), i)}});
     }
   }
   throw KernelError("this is none of the equations: " + to_string(equation));

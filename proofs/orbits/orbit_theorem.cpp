@@ -236,9 +236,7 @@ class Orbit {
     const Formula fits = equal(Names::state(k, end), Names::state(next(k), last ? Term(0) : end));
     std::vector<Multiple> because;
     for (std::size_t i = 0; i < 4; ++i) {
-      std::vector<Term> unit(4, 0);
-      unit[i] = 1;
-      because.push_back({equation(phases_, phases_.fitting(k) + i), matrix(4, 1, unit)});
+      because.push_back({equation(phases_, phases_.fitting(k) + i), unit(4, 1, i)});
     }
     say(fits, Theorem::combination(substitute(fits, values_), because));
     const Term r = names_.friction_at(k, end), ur = names_.ur();

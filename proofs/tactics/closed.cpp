@@ -54,11 +54,6 @@ Theorem difference(const Formula& formula) {
   if (type.is_scalar()) {
     return Theorem::sign(negation(formula), {}, bits);
   }
-  const auto unit = [](int rows, int columns, int which) {
-    std::vector<Term> entries(static_cast<std::size_t>(rows * columns), Term(0));
-    entries[static_cast<std::size_t>(which)] = 1;
-    return matrix(rows, columns, entries);
-  };
   const Variable A{"A", type}, B{"B", type};  // of any two: what a and b are made of need not be looked into
   for (int i = 0; i < type.rows; ++i) {
     for (int j = 0; j < type.columns; ++j) {
@@ -67,7 +62,8 @@ Theorem difference(const Formula& formula) {
         const Formula all = equal(A, B);
         const Theorem row =
             Theorem::combination(equal(entry(A, i, j), entry(B, i, j)),
-                                 {{Theorem::assume(all), unit(1, type.rows, i), unit(type.columns, 1, j)}});
+                                 {{Theorem::assume(all), unit(1, type.rows, static_cast<std::size_t>(i)),
+                                   unit(type.columns, 1, static_cast<std::size_t>(j))}});
         const Theorem here = Theorem::instantiate(Theorem::discharge(row, all), {{A, a}, {B, b}});
         return Theorem::consequence({here, differs}, negation(formula));
       });

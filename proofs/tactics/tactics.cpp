@@ -15,6 +15,12 @@ Theorem below(const Variable& x, const Term& upper) {
   return Theorem::assume(less(x, upper));
 }
 
+Term unit(int rows, int columns, std::size_t place) {
+  std::vector<Term> entries(static_cast<std::size_t>(rows * columns), 0);
+  entries.at(place) = 1;
+  return matrix(rows, columns, entries);
+}
+
 Definitions definitions_in(std::vector<Term> terms) {
   Definitions found;
   while (!terms.empty()) {

@@ -44,6 +44,8 @@ void each_part(const std::vector<Term>& terms, const Visit& visit) {
     look_at(look_at, term);
   }
 }
+// A matrix of zeros with a one, at that place row by row.
+[[nodiscard]] Term unit(int rows, int columns, std::size_t place);
 // All definitions applied in the terms, and in the bodies of these.
 [[nodiscard]] Definitions definitions_in(std::vector<Term> terms);
 
