@@ -1,5 +1,4 @@
-#include "proofs/tactics/signs.hpp"
-
+// What the domain says of a polynomial: its sign, and which divisors that leaves.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -13,6 +12,10 @@ namespace stickslip::proofs::tactics {
 namespace {
 
 using namespace kernel;
+
+// f ≠ 0: because the domain gives f a sign, or says so, or says it of a sine or cosine that vanishes with f;
+// else {f ≠ 0} ⊢ f ≠ 0.
+Theorem factor_differs(const Polynomial& factor, const Letters& letters, const Domain& domain);
 
 struct Bounds {
   std::optional<Theorem> lower, upper;  // l < x, x < u
@@ -172,8 +175,6 @@ std::vector<Theorem> positive_factors(const Polynomial& factor, int exponent, co
   return std::vector<Theorem>(static_cast<std::size_t>(exponent / 2), square);
 }
 
-}  // namespace
-
 Theorem factor_differs(const Polynomial& factor, const Letters& letters, const Domain& domain) {
   if (const std::optional<Theorem> sign = signed_by_bounds(factor, letters, domain)) {
     return different(*sign);
@@ -193,6 +194,8 @@ Theorem factor_differs(const Polynomial& factor, const Letters& letters, const D
   }
   return Theorem::assume(wanted);
 }
+
+}  // namespace
 
 bool is_divisor(const Formula& hypothesis) {
   return hypothesis.kind() == Kind::negation && hypothesis.parts()[0].kind() == Kind::equal &&
