@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 
 #include "core/error.hpp"
+#include "symbolic/algebra/evaluate.hpp"
 #include "symbolic/typeset/names.hpp"
 
 namespace stickslip::symbolic::typeset {
@@ -17,10 +17,8 @@ using GiNaC::numeric;
 namespace {
 
 [[noreturn]] void cannot_print(const ex& part) {
-  std::ostringstream text;
-  text << part;
   throw InternalError(
-      fmt::format("a formula to be printed holds {}, which is not exact and scalar", text.str()));
+      fmt::format("a formula to be printed holds {}, which is not exact and scalar", algebra::plain(part)));
 }
 
 struct Argument {

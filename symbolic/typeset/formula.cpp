@@ -179,17 +179,16 @@ Fraction without_leading_minus(Fraction fraction) {
 
 namespace {
 
+template <class Parts, class Compare>
+std::strong_ordering one_by_one(const Parts& a, const Parts& b, const Compare& compare) {
+  return std::lexicographical_compare_three_way(a.begin(), a.end(), b.begin(), b.end(), compare);
+}
+
 std::strong_ordering compare(const Product& a, const Product& b) {
-  const std::size_t size = std::min(a.powers.size(), b.powers.size());
-  for (std::size_t i = 0; i < size; ++i) {
-    if (const auto order = compare_bases(a.powers[i], b.powers[i]); std::is_neq(order)) {
-      return order;
-    }
-    if (const auto order = b.powers[i].exponent <=> a.powers[i].exponent; std::is_neq(order)) {
-      return order;
-    }
-  }
-  const auto order = a.powers.size() <=> b.powers.size();
+  const auto order = one_by_one(a.powers, b.powers, [](const Power& x, const Power& y) {
+    const auto bases = compare_bases(x, y);
+    return std::is_neq(bases) ? bases : y.exponent <=> x.exponent;
+  });
   return std::is_neq(order) ? order : cmp(a.coefficient, b.coefficient) <=> 0;
 }
 
@@ -219,24 +218,13 @@ int place(const Power& power) {
   return trigonometric ? 2 : 1;
 }
 
-std::strong_ordering compare_arguments(const Atom& a, const Atom& b) {
-  return std::lexicographical_compare_three_way(a.arguments.begin(), a.arguments.end(), b.arguments.begin(),
-                                                b.arguments.end(),
-                                                [](const Sum& x, const Sum& y) { return compare(x, y); });
-}
-
 }  // namespace
 
 std::strong_ordering compare(const Sum& a, const Sum& b) {
-  if (const auto order = a.size() <=> b.size(); std::is_neq(order)) {
-    return order;
-  }
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (const auto order = compare(a[i], b[i]); std::is_neq(order)) {
-      return order;
-    }
-  }
-  return std::strong_ordering::equal;
+  const auto order = a.size() <=> b.size();
+  return std::is_neq(order)
+             ? order
+             : one_by_one(a, b, [](const Fraction& x, const Fraction& y) { return compare(x, y); });
 }
 
 std::strong_ordering compare(const Atom& a, const Atom& b) {
@@ -247,7 +235,8 @@ std::strong_ordering compare(const Atom& a, const Atom& b) {
     return compare_names(a.name, b.name);
   }
   const auto by_name = a.name <=> b.name;
-  const auto by_arguments = compare_arguments(a, b);
+  const auto by_arguments =
+      one_by_one(a.arguments, b.arguments, [](const Sum& x, const Sum& y) { return compare(x, y); });
   if (a.kind == Atom::Kind::trigonometric) {
     return std::is_neq(by_arguments) ? by_arguments : by_name;
   }
