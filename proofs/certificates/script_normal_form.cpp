@@ -44,8 +44,7 @@ std::string entries(const Type& type, const std::string& name) {
 }
 
 bool same_value(const Term& a, const Term& b) {
-  return a == b || (a.type().is_numeric() && b.type().is_numeric() && a.type().rows == b.type().rows &&
-                    a.type().columns == b.type().columns && identity(a, b));
+  return a == b || (a.type().is_numeric() && a.type() == b.type() && identity(a, b));
 }
 
 // Whether the normal form takes two atoms for one, though they are written differently.

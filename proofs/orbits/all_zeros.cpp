@@ -288,6 +288,16 @@ Theorem with_zero(const Theorem& theorem, const std::vector<Variable>& unknowns,
                          }));
 }
 
+Theorem there_are(const NamedValues& values, const Formula& said, Theorem theorem) {
+  const Substitution all(values.begin(), values.end());
+  Formula whole = said;
+  for (auto one = values.rbegin(); one != values.rend(); ++one) {
+    whole = exists(one->first, whole);
+    theorem = Theorem::witness(theorem, substitute(whole, all), one->second);
+  }
+  return theorem;
+}
+
 Theorem of_orbit(const Theorem& orbit, const std::function<Theorem(const Theorem&)>& more) {
   std::vector<Formula> existences{orbit.conclusion()};
   std::vector<Variable> names;

@@ -126,14 +126,9 @@ class Orbit {
     }
   }
 
-  struct Named {
-    Variable variable;
-    Term value;
-  };
-
   [[nodiscard]] Substitution at_value() const { return {{phases_.omega(), phases_.question().data.omega}}; }
   void declare(const Variable& variable, const Term& value) {
-    named_.push_back({variable, value});
+    named_.emplace_back(variable, value);
     values_.emplace(variable, value);
   }
   [[nodiscard]] PhaseKind kind(std::size_t k) const { return phases_.question().phases.at(k); }
@@ -168,9 +163,9 @@ class Orbit {
   // The ranges of the numbers, to nine decimals; that each phase lasts, for one that lasts less than no time
   // would obey anything; what the durations sum up to; 0 < us < ur.
   void numbers() {
-    for (const Named& one : named_) {
-      if (one.variable.type == real_number) {
-        bound(one.variable);
+    for (const auto& [variable, value] : named_) {
+      if (variable.type == real_number) {
+        bound(variable);
       }
     }
     for (std::size_t k = 0; k < phases_.count(); ++k) {
@@ -193,8 +188,7 @@ class Orbit {
 
   // Decimals of nine places below and above.
   [[nodiscard]] std::pair<Term, Term> decimals(const Term& term) const {
-    mpz_class unit;
-    mpz_ui_pow_ui(unit.get_mpz_t(), 10, 9);
+    constexpr long unit = 1000000000;
     const Interval bounds = enclosure(term, ranges_, Rational(1, unit * 4));
     return {rounded_down(bounds.first, unit),
             Rational(rounded_down(bounds.second, unit) + Rational(1, unit))};
@@ -255,25 +249,14 @@ class Orbit {
   }
 
   // there are …: all that is said, by the values.
-  [[nodiscard]] Theorem exists() const {
-    std::vector<Formula> steps{all(said_)};
-    for (auto one = named_.rbegin(); one != named_.rend(); ++one) {
-      steps.push_back(kernel::exists(one->variable, steps.back()));
-    }
-    Theorem theorem = both(proved_);
-    for (std::size_t bound = 1; bound <= named_.size(); ++bound) {
-      const Named& one = named_[named_.size() - bound];
-      theorem = Theorem::witness(theorem, substitute(steps[bound], values_), one.value);
-    }
-    return theorem;
-  }
+  [[nodiscard]] Theorem exists() const { return there_are(named_, all(said_), both(proved_)); }
 
   Phases phases_;
   Names names_;  // of the question that phases_ keeps
   std::optional<ClosedForm> known_ = {};
   Box box_;
   Ranges ranges_;
-  std::vector<Named> named_;
+  NamedValues named_;
   Substitution values_;
   std::vector<Formula> said_;
   std::vector<Theorem> proved_;
