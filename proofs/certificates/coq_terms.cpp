@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "proofs/tactics/text.hpp"
+#include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::certificates {
 
@@ -412,11 +412,7 @@ Term difference(const Term& a, const Term& b) {
 }
 
 std::optional<Theorem> identity(const Term& left, const Term& right, const Definitions& unfolded) {
-  try {
-    return Theorem::combination(equal(left, right), {}, unfolded);
-  } catch (const KernelError&) {
-    return std::nullopt;
-  }
+  return tactics::where_it_works([&] { return Theorem::combination(equal(left, right), {}, unfolded); });
 }
 
 std::string nothing(const Type& type) {

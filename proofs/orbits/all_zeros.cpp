@@ -113,13 +113,11 @@ class Zeros {
       const Variable c{"c"};
       Ranges here = ranges_;
       here[c] = {from, to};
-      std::optional<Theorem> keeps;
-      try {
-        keeps = in_pieces(zero.rises ? less(0, slope(c)) : less(slope(c), 0), c, here);
-      } catch (const KernelError&) {
-        continue;
+      const auto keeps = where_it_works(
+          [&] { return in_pieces(zero.rises ? less(0, slope(c)) : less(slope(c), 0), c, here); });
+      if (keeps) {
+        return {from, to, is_zero(zero, from, to, c, *keeps)};
       }
-      return {from, to, is_zero(zero, from, to, c, *keeps)};
     }
     throw KernelError("there may be other zeros of " + f_.value.name() + " near this one");
   }
@@ -180,11 +178,8 @@ class Zeros {
 
   // That the function is above zero, or that it is below.
   [[nodiscard]] Theorem away_from_zero(const Ranges& piece) const {
-    try {
-      return sign(less(0, value(t_)), piece);
-    } catch (const KernelError&) {
-      return sign(less(value(t_), 0), piece);
-    }
+    const auto above = where_it_works([&] { return sign(less(0, value(t_)), piece); });
+    return above ? *above : sign(less(value(t_), 0), piece);
   }
 
   const Differentiable& f_;

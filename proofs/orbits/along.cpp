@@ -161,12 +161,7 @@ Theorem sign(const Formula& relation, const Ranges& ranges, long bits) {
 }
 
 bool holds(const Formula& relation, const Ranges& ranges, long bits) {
-  try {
-    static_cast<void>(sign(relation, ranges, bits));
-    return true;
-  } catch (const KernelError&) {
-    return false;
-  }
+  return where_it_works([&] { return sign(relation, ranges, bits); }).has_value();
 }
 
 Theorem without_divisors(const Theorem& theorem, const Ranges& ranges) {

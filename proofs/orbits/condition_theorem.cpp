@@ -208,11 +208,8 @@ Theorem value_theorem(const Theorem& orbit, const Question& question, const std:
     if (!outside) {
       return both({decided(at_most(lower, value), body), decided(at_most(value, upper), body)});
     }
-    try {
-      return decided(less(upper, value), body);
-    } catch (const KernelError&) {
-      return decided(less(value, lower), body);
-    }
+    const auto above = where_it_works([&] { return decided(less(upper, value), body); });
+    return above ? *above : decided(less(value, lower), body);
   });
 }
 

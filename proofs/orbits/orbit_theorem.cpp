@@ -79,11 +79,9 @@ class Orbit {
         if (one.kind() != Kind::equal || one == between) {
           break;
         }
-        try {
-          const std::vector<Multiple> because(factor == 0 ? 0 : 1, {Theorem::assume(between), factor});
-          return Theorem::combination(one, because);
-        } catch (const KernelError&) {
-          continue;
+        const std::vector<Multiple> because(factor == 0 ? 0 : 1, {Theorem::assume(between), factor});
+        if (const auto holds = where_it_works([&] { return Theorem::combination(one, because); })) {
+          return holds;
         }
       }
       return std::nullopt;

@@ -137,11 +137,7 @@ std::optional<Theorem> absurd(const std::vector<Theorem>& literals) {
       continue;  // 1 = 1
     }
   }
-  try {
-    return Theorem::consequence(known, any({}));
-  } catch (const KernelError&) {
-    return std::nullopt;
-  }
+  return where_it_works([&] { return Theorem::consequence(known, any({})); });
 }
 
 Theorem by_cases(const std::vector<Theorem>& premises, const Formula& goal, const InCase& derive) {

@@ -17,16 +17,6 @@ namespace {
 
 constexpr long bits = 256;
 
-// The first result that is no failure.
-template <class Attempt>
-std::optional<Theorem> where_it_works(const Attempt& attempt) {
-  try {
-    return attempt();
-  } catch (const KernelError&) {
-    return std::nullopt;
-  }
-}
-
 Theorem equation(const Formula& formula) {
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
   if (a == b) {

@@ -190,13 +190,11 @@ std::optional<Theorem> flat_in_two_steps(const Term& value, const Theorem& rate,
   }
   const Term &flow_rate = value.parts()[0].parts()[0], &w = value.parts()[0].parts()[1],
              &flow = value.parts()[1].parts()[0], &w_rate = value.parts()[1].parts()[1];
-  try {
+  return where_it_works([&] {
     const Theorem backward = Theorem::combination(equal(flow_rate, -(flow * *A)), {}, unfolded);
     const Theorem forward = Theorem::combination(equal(w_rate, *A * w), {}, unfolded);
     return Theorem::combination(equal(value, zero(value.type())), {{backward, 1, w}, {forward, flow, 1}});
-  } catch (const KernelError&) {
-    return std::nullopt;
-  }
+  });
 }
 
 }  // namespace

@@ -49,6 +49,16 @@ void each_part(const std::vector<Term>& terms, const Visit& visit) {
 // All definitions applied in the terms, and in the bodies of these.
 [[nodiscard]] Definitions definitions_in(std::vector<Term> terms);
 
+// What is found, unless a rule refuses on the way.
+template <class Attempt>
+[[nodiscard]] std::optional<Theorem> where_it_works(const Attempt& attempt) {
+  try {
+    return attempt();
+  } catch (const kernel::KernelError&) {
+    return std::nullopt;
+  }
+}
+
 // ---- Logic
 [[nodiscard]] Theorem symmetric(const Theorem& equation);       // a = b gives b = a
 [[nodiscard]] Theorem both(const std::vector<Theorem>& parts);  // their conjunction
