@@ -22,14 +22,6 @@ struct Signed {
 
 Signed factored(const Polynomial& polynomial, const Alphabet& alphabet);
 
-void append_atoms(const Degrees& degrees, const Alphabet& alphabet, std::vector<Power>& powers) {
-  for (std::size_t i = 0; i < degrees.size(); ++i) {
-    if (degrees[i] > 0) {
-      powers.push_back({alphabet.atoms[i], {}, degrees[i]});
-    }
-  }
-}
-
 void negate(Sum& sum) {
   for (Fraction& term : sum) {
     term.negative = !term.negative;
@@ -92,7 +84,8 @@ Sum terms(const Polynomial& polynomial, const Alphabet& alphabet) {
       return result;
     }
     Signed product = factored(coefficient, alphabet);
-    append_atoms(degrees, alphabet, product.powers);
+    const Fraction waves = to_fraction({degrees, 1}, alphabet);
+    product.powers.insert(product.powers.end(), waves.numerator.powers.begin(), waves.numerator.powers.end());
     Fraction term = times(product.unit, std::move(product.powers));
     if (constant && is_lone_sum(term.numerator)) {
       Sum last = std::move(term.numerator.powers[0].sum);
@@ -109,8 +102,7 @@ Sum terms(const Polynomial& polynomial, const Alphabet& alphabet) {
 
 Signed factored(const Polynomial& polynomial, const Alphabet& alphabet) {
   const Factors factors = factorise(polynomial, alphabet);
-  Signed result{factors.unit, {}};
-  append_atoms(factors.monomial, alphabet, result.powers);
+  Signed result{factors.unit, to_fraction({factors.monomial, 1}, alphabet).numerator.powers};
   for (const auto& [factor, exponent] : factors.sums) {
     Sum sum = terms(factor, alphabet);
     if (is_better_negated(sum)) {
