@@ -27,19 +27,7 @@ void decide_all(benchmark::State& state, const char * example) {
   }
 }
 
-void conditions_S(benchmark::State& state) {
-  decide_all(state, "S");
-}
-void conditions_O(benchmark::State& state) {
-  decide_all(state, "O");
-}
-void conditions_P(benchmark::State& state) {
-  decide_all(state, "P");
-}
-
-BENCHMARK(conditions_S)->Unit(benchmark::kMicrosecond);
-BENCHMARK(conditions_O)->Unit(benchmark::kMicrosecond);
-BENCHMARK(conditions_P)->Unit(benchmark::kMicrosecond);
+[[maybe_unused]] const bool registered = of_each_example("conditions", decide_all, in_microseconds);
 
 }  // namespace
 }  // namespace stickslip::bench

@@ -13,23 +13,11 @@ void enclose(benchmark::State& state, const char * example) {
   }
 }
 
-void enclose_S(benchmark::State& state) {
-  enclose(state, "S");
-}
-void enclose_O(benchmark::State& state) {
-  enclose(state, "O");
-}
-void enclose_P(benchmark::State& state) {
-  enclose(state, "P");
-}
-
 void digits(benchmark::internal::Benchmark * b) {
   b->ArgName("digits")->Arg(30)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMillisecond);
 }
 
-BENCHMARK(enclose_S)->Apply(digits);
-BENCHMARK(enclose_O)->Apply(digits);
-BENCHMARK(enclose_P)->Apply(digits);
+[[maybe_unused]] const bool registered = of_each_example("enclose", enclose, digits);
 
 }  // namespace
 }  // namespace stickslip::bench

@@ -25,6 +25,28 @@ inline void require_proved(benchmark::State& state, const Verdict& verdict) {
   }
 }
 
+// Registers "WHAT_S", "WHAT_O" and "WHAT_P", each of the example of that name.
+template <class Run>
+bool of_each_example(const std::string& what, const Run& run,
+                     void (*set_up)(benchmark::internal::Benchmark *)) {
+  for (const char * example : {"S", "O", "P"}) {
+    benchmark::RegisterBenchmark((what + "_" + example).c_str(), [=](benchmark::State& state) {
+      run(state, example);
+    })->Apply(set_up);
+  }
+  return true;
+}
+inline void in_microseconds(benchmark::internal::Benchmark * b) {
+  b->Unit(benchmark::kMicrosecond);
+}
+// Of all threads together.
+inline void in_milliseconds(benchmark::internal::Benchmark * b) {
+  b->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+}
+inline void in_seconds(benchmark::internal::Benchmark * b) {
+  b->Unit(benchmark::kSecond)->MeasureProcessCPUTime();
+}
+
 [[nodiscard]] inline const numeric::motion::ExactParameters& data(const char * example) {
   return proofs::pascal2012::example_named(example).data;
 }

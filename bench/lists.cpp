@@ -17,7 +17,7 @@ namespace {
 constexpr int digits = 20;
 
 // The orbits of the example's family, at another u_r if one is given, and their conditions.
-void list_all(benchmark::State& state, const char * example, const std::optional<Rational>& ur = {}) {
+void list_all(benchmark::State& state, const char * example, const std::optional<Rational>& ur) {
   numeric::OrbitQuestion question = question_of(example_named(example), digits);
   if (ur) {
     question.phi.reset();
@@ -35,23 +35,18 @@ void list_all(benchmark::State& state, const char * example, const std::optional
   state.counters["cells"] = static_cast<double>(cells);
 }
 
-void list_symmetric_S(benchmark::State& state) {
-  list_all(state, "S");
-}
-void list_overshooting_O_at_phi(benchmark::State& state) {
-  list_all(state, "O");
-}
-void list_overshooting_O_at_ur(benchmark::State& state) {
-  list_all(state, "O", Rational(459, 1000));
-}
-void list_nonsticking_P(benchmark::State& state) {
-  list_all(state, "P");
-}
-
-BENCHMARK(list_symmetric_S)->Unit(benchmark::kMillisecond);
-BENCHMARK(list_overshooting_O_at_phi)->Unit(benchmark::kMillisecond);
-BENCHMARK(list_overshooting_O_at_ur)->Unit(benchmark::kMillisecond);
-BENCHMARK(list_nonsticking_P)->Unit(benchmark::kMillisecond);
+[[maybe_unused]] const bool registered = [] {
+  const auto add = [](const char * name, const char * example, const std::optional<Rational>& ur = {}) {
+    benchmark::RegisterBenchmark(name, [=](benchmark::State& state) {
+      list_all(state, example, ur);
+    })->Unit(benchmark::kMillisecond);
+  };
+  add("list_symmetric_S", "S");
+  add("list_overshooting_O_at_phi", "O");
+  add("list_overshooting_O_at_ur", "O", Rational(459, 1000));
+  add("list_nonsticking_P", "P");
+  return true;
+}();
 
 }  // namespace
 }  // namespace stickslip::bench

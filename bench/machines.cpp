@@ -28,18 +28,12 @@ void prove_machine(benchmark::State& state, const Machine& machine, const Eigen:
 }
 BENCHMARK_CAPTURE(prove_machine, P_3, as_machine("P", "0.2996"),
                   of(1.453864542, 3.090387503, 0.4566110742, 1.16512107))
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
+    ->Apply(in_milliseconds);
 BENCHMARK_CAPTURE(prove_machine, P_13, as_machine("P", "0.2996"),
                   of(1.356516811, 2.998053712, 0.438424421, 0.8192487201))
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(prove_machine, two, machine_named("two"), begins_at("two"))
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(prove_machine, five, machine_named("five"), begins_at("five"))
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
+    ->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(prove_machine, two, machine_named("two"), begins_at("two"))->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(prove_machine, five, machine_named("five"), begins_at("five"))->Apply(in_milliseconds);
 
 // 1 % of the belt's velocity and of the friction at rest, proved with the state at all of these data: a part.
 void box(benchmark::State& state, const Machine& machine, const Eigen::VectorXd& from) {
@@ -67,9 +61,7 @@ void box(benchmark::State& state, const Machine& machine, const Eigen::VectorXd&
   }
   state.SetItemsProcessed(parts);
 }
-BENCHMARK_CAPTURE(box, two, machine_named("two"), begins_at("two"))
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(box, two, machine_named("two"), begins_at("two"))->Apply(in_milliseconds);
 
 void machine_attractors(benchmark::State& state, const Machine& machine) {
   std::int64_t followed = 0;
@@ -78,15 +70,9 @@ void machine_attractors(benchmark::State& state, const Machine& machine) {
   }
   state.SetItemsProcessed(followed);
 }
-BENCHMARK_CAPTURE(machine_attractors, S, as_machine("S", "0.16096526517987742"))
-    ->Unit(benchmark::kSecond)
-    ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(machine_attractors, two, machine_named("two"))
-    ->Unit(benchmark::kSecond)
-    ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(machine_attractors, five, machine_named("five"))
-    ->Unit(benchmark::kSecond)
-    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(machine_attractors, S, as_machine("S", "0.16096526517987742"))->Apply(in_seconds);
+BENCHMARK_CAPTURE(machine_attractors, two, machine_named("two"))->Apply(in_seconds);
+BENCHMARK_CAPTURE(machine_attractors, five, machine_named("five"))->Apply(in_seconds);
 
 }  // namespace
 }  // namespace stickslip::bench

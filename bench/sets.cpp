@@ -60,8 +60,8 @@ void neighbourhood_O(benchmark::State& state) {
   state.counters["half_width_of_x2"] = found.half_widths(1);
 }
 
-BENCHMARK(box_of_starts)->DenseRange(2, 5)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
-BENCHMARK(neighbourhood_O)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(box_of_starts)->DenseRange(2, 5)->Apply(in_milliseconds);
+BENCHMARK(neighbourhood_O)->Apply(in_milliseconds);
 
 }  // namespace
 }  // namespace stickslip::bench

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int digits = 30;
 
-void decide(benchmark::State& state, const Motion& motion) {
+void decide(benchmark::State& state, const char * example) {
+  const Motion motion = proved(problem(example), digits).motion;
   for (auto _ : state) {
     const Stability stability = decide_stability(motion);
     if (stability.kind == StabilityKind::undecided) {
@@ -23,19 +24,7 @@ void decide(benchmark::State& state, const Motion& motion) {
   }
 }
 
-void multipliers_S(benchmark::State& state) {
-  decide(state, proved(problem("S"), digits).motion);
-}
-void multipliers_O(benchmark::State& state) {
-  decide(state, proved(problem("O"), digits).motion);
-}
-void multipliers_P(benchmark::State& state) {
-  decide(state, proved(problem("P"), digits).motion);
-}
-
-BENCHMARK(multipliers_S)->Unit(benchmark::kMicrosecond);
-BENCHMARK(multipliers_O)->Unit(benchmark::kMicrosecond);
-BENCHMARK(multipliers_P)->Unit(benchmark::kMicrosecond);
+[[maybe_unused]] const bool registered = of_each_example("multipliers", decide, in_microseconds);
 
 }  // namespace
 }  // namespace stickslip::bench

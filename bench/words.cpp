@@ -16,22 +16,17 @@ namespace {
 WordQuestion question(const char * example, const char * ur) {
   return {data(example), parse_rational(ur), 20};
 }
-const WordQuestion& S() {
-  static const WordQuestion q = question("S", "0.16096526517987742");
-  return q;
+WordQuestion S() {
+  return question("S", "0.16096526517987742");
 }
-const WordQuestion& O() {
-  static const WordQuestion q = question("O", "0.45899365993320057");
-  return q;
+WordQuestion O() {
+  return question("O", "0.45899365993320057");
 }
-const WordQuestion& P() {
-  static const WordQuestion q = question("P", "0.2996");
-  return q;
+WordQuestion P() {
+  return question("P", "0.2996");
 }
-const WordQuestion& driven() {
-  static const WordQuestion q{motion::parse_parameters("0.4", "10", "0.2", "1", "0.7", "2"),
-                              parse_rational("0.5"), 20};
-  return q;
+WordQuestion driven() {
+  return {motion::parse_parameters("0.4", "10", "0.2", "1", "0.7", "2"), parse_rational("0.5"), 20};
 }
 
 void list_word(benchmark::State& state, const WordQuestion& q, const char * word) {
@@ -46,21 +41,13 @@ void list_word(benchmark::State& state, const WordQuestion& q, const char * word
   }
   state.counters["cells"] = static_cast<double>(cells);
 }
-BENCHMARK_CAPTURE(list_word, ST_S, S(), "ST")->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(list_word, SOT_S, S(), "SOT")->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(list_word, SOT_O, O(), "SOT")->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(list_word, SOT_P, P(), "SOT")->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(list_word, SOT_driven, driven(), "SOT")
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(list_word, STST_S, S(), "STST")
-    ->Unit(benchmark::kSecond)
-    ->MeasureProcessCPUTime()
-    ->Iterations(1);
-BENCHMARK_CAPTURE(list_word, SOST_O, O(), "SOST")
-    ->Unit(benchmark::kSecond)
-    ->MeasureProcessCPUTime()
-    ->Iterations(1);
+BENCHMARK_CAPTURE(list_word, ST_S, S(), "ST")->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(list_word, SOT_S, S(), "SOT")->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(list_word, SOT_O, O(), "SOT")->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(list_word, SOT_P, P(), "SOT")->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(list_word, SOT_driven, driven(), "SOT")->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(list_word, STST_S, S(), "STST")->Apply(in_seconds)->Iterations(1);
+BENCHMARK_CAPTURE(list_word, SOST_O, O(), "SOST")->Apply(in_seconds)->Iterations(1);
 
 // The nodes of what the motion from there settles on, as near as doubles are.
 struct Closed {
@@ -119,20 +106,12 @@ void prove_stability(benchmark::State& state, const WordQuestion& q, const model
 const model::Vector4<double> to_3(1.453864542, 3.090387503, 0.4566110742, 1.16512107);
 const model::Vector4<double> to_13(1.356516811, 2.998053712, 0.438424421, 0.8192487201);
 const model::Vector4<double> to_182(0.5042730812, 0.8854186694, 0.4699546208, 0.6955831316);
-BENCHMARK_CAPTURE(prove_existence, P_3, P(), to_3, 3)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(prove_existence, P_13, P(), to_13, 13)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(prove_existence, S_182, S(), to_182, 182)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(prove_stability, P_3, P(), to_3, 3)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(prove_stability, P_13, P(), to_13, 13)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(prove_stability, S_182, S(), to_182, 182)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(prove_existence, P_3, P(), to_3, 3)->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(prove_existence, P_13, P(), to_13, 13)->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(prove_existence, S_182, S(), to_182, 182)->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(prove_stability, P_3, P(), to_3, 3)->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(prove_stability, P_13, P(), to_13, 13)->Apply(in_milliseconds);
+BENCHMARK_CAPTURE(prove_stability, S_182, S(), to_182, 182)->Apply(in_milliseconds);
 
 // 500 starts for 2,000 periods or until they have settled, everything proved; items are periods of the load.
 void attractors_of(benchmark::State& state, const WordQuestion& q) {
@@ -142,9 +121,9 @@ void attractors_of(benchmark::State& state, const WordQuestion& q) {
   }
   state.SetItemsProcessed(periods);
 }
-BENCHMARK_CAPTURE(attractors_of, S, S())->Unit(benchmark::kSecond)->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(attractors_of, O, O())->Unit(benchmark::kSecond)->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(attractors_of, P, P())->Unit(benchmark::kSecond)->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(attractors_of, S, S())->Apply(in_seconds);
+BENCHMARK_CAPTURE(attractors_of, O, O())->Apply(in_seconds);
+BENCHMARK_CAPTURE(attractors_of, P, P())->Apply(in_seconds);
 
 }  // namespace
 }  // namespace stickslip::bench

@@ -62,22 +62,10 @@ class Ball {
   [[nodiscard]] arb_ptr raw() { return value_; }
   [[nodiscard]] arb_srcptr raw() const { return value_; }
 
-  Ball& operator+=(const Ball& b) {
-    arb_add(value_, value_, b.value_, WorkingPrecision::bits());
-    return *this;
-  }
-  Ball& operator-=(const Ball& b) {
-    arb_sub(value_, value_, b.value_, WorkingPrecision::bits());
-    return *this;
-  }
-  Ball& operator*=(const Ball& b) {
-    arb_mul(value_, value_, b.value_, WorkingPrecision::bits());
-    return *this;
-  }
-  Ball& operator/=(const Ball& b) {
-    arb_div(value_, value_, b.value_, WorkingPrecision::bits());
-    return *this;
-  }
+  Ball& operator+=(const Ball& b) { return combined<arb_add>(b); }
+  Ball& operator-=(const Ball& b) { return combined<arb_sub>(b); }
+  Ball& operator*=(const Ball& b) { return combined<arb_mul>(b); }
+  Ball& operator/=(const Ball& b) { return combined<arb_div>(b); }
   friend Ball operator+(Ball a, const Ball& b) { return a += b; }
   friend Ball operator-(Ball a, const Ball& b) { return a -= b; }
   friend Ball operator*(Ball a, const Ball& b) { return a *= b; }
@@ -88,26 +76,11 @@ class Ball {
   }
   friend Ball operator+(Ball a) { return a; }
 
-  friend Ball sin(Ball a) {
-    arb_sin(a.value_, a.value_, WorkingPrecision::bits());
-    return a;
-  }
-  friend Ball cos(Ball a) {
-    arb_cos(a.value_, a.value_, WorkingPrecision::bits());
-    return a;
-  }
-  friend Ball tan(Ball a) {
-    arb_tan(a.value_, a.value_, WorkingPrecision::bits());
-    return a;
-  }
-  friend Ball exp(Ball a) {
-    arb_exp(a.value_, a.value_, WorkingPrecision::bits());
-    return a;
-  }
-  friend Ball sqrt(Ball a) {
-    arb_sqrt(a.value_, a.value_, WorkingPrecision::bits());
-    return a;
-  }
+  friend Ball sin(const Ball& a) { return a.applied<arb_sin>(); }
+  friend Ball cos(const Ball& a) { return a.applied<arb_cos>(); }
+  friend Ball tan(const Ball& a) { return a.applied<arb_tan>(); }
+  friend Ball exp(const Ball& a) { return a.applied<arb_exp>(); }
+  friend Ball sqrt(const Ball& a) { return a.applied<arb_sqrt>(); }
   friend Ball abs(Ball a) {
     arb_abs(a.value_, a.value_);
     return a;
@@ -135,6 +108,18 @@ class Ball {
   [[nodiscard]] double approximate() const;  // the midpoint as a double: for guesses and pictures only
 
  private:
+  template <auto operation>
+  Ball& combined(const Ball& b) {
+    operation(value_, value_, b.value_, WorkingPrecision::bits());
+    return *this;
+  }
+  template <auto function>
+  [[nodiscard]] Ball applied() const {
+    Ball result;
+    function(result.value_, value_, WorkingPrecision::bits());
+    return result;
+  }
+
   arb_t value_;
 };
 

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "proofs/tactics/text.hpp"
+#include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::certificates {
 
@@ -412,11 +412,7 @@ Term difference(const Term& a, const Term& b) {
 }
 
 std::optional<Theorem> identity(const Term& left, const Term& right, const Definitions& unfolded) {
-  try {
-    return Theorem::combination(equal(left, right), {}, unfolded);
-  } catch (const KernelError&) {
-    return std::nullopt;
-  }
+  return tactics::attempt([&] { return Theorem::combination(equal(left, right), {}, unfolded); });
 }
 
 std::string nothing(const Type& type) {
@@ -428,6 +424,11 @@ std::string names_of(const Definitions& definitions) {
   std::transform(definitions.begin(), definitions.end(), std::back_inserter(names),
                  [](const Definition& definition) { return definition_name(definition); });
   return fmt::format("{}", fmt::join(names, " "));
+}
+
+std::string opening(const std::string& before, const Definitions& definitions, const std::string& after) {
+  return definitions.empty() ? ""
+                             : fmt::format("{}cbv beta delta [{}]{}", before, names_of(definitions), after);
 }
 
 }  // namespace stickslip::proofs::certificates

@@ -64,5 +64,8 @@ void collect_definitions(const kernel::Term& term, std::vector<kernel::Definitio
 
 // "H K chi": their names in Coq.
 [[nodiscard]] std::string names_of(const kernel::Definitions& definitions);
+// "cbv beta delta [H K chi]" between these; nothing of none.
+[[nodiscard]] std::string opening(const std::string& before, const kernel::Definitions& definitions,
+                                  const std::string& after);
 
 }  // namespace stickslip::proofs::certificates

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "proofs/certificates/coq_terms.hpp"
+#include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::certificates {
 
@@ -103,18 +104,6 @@ std::string text(const Monomial& monomial) {
   return product.empty() ? "1" : one_atom ? product : "(" + product + ")";
 }
 
-void collect(const Term& term, std::set<Term>& seen, std::set<Term>& arguments) {
-  if (!seen.insert(term).second || term.kind() == Kind::lambda) {
-    return;
-  }
-  for (const Term& part : term.parts()) {
-    collect(part, seen, arguments);
-  }
-  if (term.kind() == Kind::cosine || term.kind() == Kind::sine) {
-    arguments.insert(term.parts()[0]);
-  }
-}
-
 // Without parentheses: what differs without them differs in Coq.
 std::string bare(std::string text) {
   std::erase_if(text, [](char c) { return c == '(' || c == ')'; });
@@ -203,10 +192,13 @@ std::string phase(const Rational& unit) {
                              : fmt::format("({} / {})", unit.get_num().get_str(), unit.get_den().get_str());
 }
 std::set<Term> arguments_in(const std::vector<Term>& terms) {
-  std::set<Term> seen, arguments;
-  for (const Term& term : terms) {
-    collect(term, seen, arguments);
-  }
+  std::set<Term> arguments;
+  tactics::each_part(terms, [&](const Term& part) {
+    if (part.kind() == Kind::cosine || part.kind() == Kind::sine) {
+      arguments.insert(part.parts()[0]);
+    }
+    return part.kind() != Kind::lambda;
+  });
   return arguments;
 }
 // The numbers that are added in the argument, times the factor: those that stand apart may have phases of

@@ -16,8 +16,8 @@ namespace {
 
 // Steps that are written where they are used, however often.
 bool is_a_word(const std::string& rule) {
-  return rule == "assume" || rule == "reflexive" || rule == "trichotomy" || rule == "zero_product" ||
-         rule == "sine_is_positive" || rule == "square_root";
+  return rule == "assume" || rule == "reflexive" || rule == "trichotomy" || rule == "sine_is_positive" ||
+         rule == "square_root";
 }
 
 // Steps that are a term rather than tactics.
@@ -295,8 +295,8 @@ std::string Script::inlined(const Theorem& theorem, const Scope& scope) {
   if (step.rule == "reflexive") {
     return fmt::format("(eq_refl {})", coq(within_scope(step.data[0], scope.variables)));
   }
-  if (step.rule == "trichotomy" || step.rule == "zero_product") {
-    return fmt::format("({} {} {})", step.rule, coq(within_scope(step.data[0], scope.variables)),
+  if (step.rule == "trichotomy") {
+    return fmt::format("(trichotomy {} {})", coq(within_scope(step.data[0], scope.variables)),
                        coq(within_scope(step.data[1], scope.variables)));
   }
   if (step.rule == "sine_is_positive" || step.rule == "square_root") {
@@ -400,10 +400,7 @@ std::string Script::tactics(const Theorem& theorem, const Scope& scope) {
     return fmt::format("destruct {} as [{} {}]. exact {}.", term(step.premises[0], scope),
                        identifier(variable.name), name, term(step.premises[1], inside));
   }
-  if (is_calculus(step.rule)) {
-    return calculus(theorem, scope);
-  }
-  throw KernelError("the rule " + step.rule + " has no counterpart in Coq yet");
+  return calculus(theorem, scope);
 }
 
 }  // namespace stickslip::proofs::certificates

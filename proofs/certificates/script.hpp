@@ -96,7 +96,6 @@ class Script {
   [[nodiscard]] std::string jury(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string one_zero(const kernel::Theorem& theorem);
   [[nodiscard]] std::string consequence(const kernel::Theorem& theorem, const Scope& scope);
-  [[nodiscard]] static bool is_calculus(const std::string& rule);
   [[nodiscard]] std::string calculus(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string zeros_between(const kernel::Theorem& theorem, const Scope& scope);
   [[nodiscard]] std::string by_composition(const kernel::Theorem& theorem, const Scope& scope);

@@ -70,10 +70,8 @@ std::string Script::solved(const Theorem& theorem, const Scope& scope) {
   for (const Formula& divisor : step.divisors) {
     divisors.push_back(hypothesis(divisor, scope));
   }
-  const std::string open =
-      step.unfolded.empty() ? "" : fmt::format("cbv beta delta [{}] in *; ", names_of(step.unfolded));
   std::string tries;
-  std::string reduced = open + "reduce_matrices; ";
+  std::string reduced = opening("", step.unfolded, " in *; ") + "reduce_matrices; ";
   for (const std::string& divisor : divisors) {
     reduced += fmt::format("reduce_matrices_in {}; ", divisor);
     tries += fmt::format("{}nonzero_like {}", tries.empty() ? "" : " | ", divisor);

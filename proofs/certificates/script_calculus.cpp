@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "proofs/certificates/script.hpp"
+#include "proofs/orbits/along.hpp"
 
 namespace stickslip::proofs::certificates {
 
@@ -19,22 +20,12 @@ bool of_matrices(const Theorem& theorem) {
   return of_function && (formula.parts()[0].type().rows > 1 || formula.parts()[0].type().columns > 1);
 }
 
-// Lemmas of the prelude: name, how many of its arguments Coq finds itself, and how many more if it is of
-// matrices.
-struct Named {
-  const char * lemma;
-  int found;
-};
-const std::map<std::string, Named> lemmas{
-    {"continuous_within", {"continuous_within", 5}},
-    {"continuous_union", {"continuous_union", 4}},
-    {"same_continuity", {"same_continuity", 4}},
-    {"intermediate_value", {"intermediate_value", 3}},
-    {"monotone", {"monotone", 3}},
-    {"same_derivative", {"same_derivative", 6}},
-    {"unique_derivative", {"unique_derivative", 4}},
-    {"finite_part", {"finite_part", 2}},
-    {"finite_union", {"finite_union", 2}},
+// Lemmas of the prelude that have the names of rules: how many of its arguments Coq finds itself. There are
+// two more if it is of matrices.
+const std::map<std::string, int> lemmas{
+    {"continuous_within", 5},  {"continuous_union", 4}, {"same_continuity", 4},
+    {"intermediate_value", 3}, {"monotone", 3},         {"same_derivative", 6},
+    {"unique_derivative", 4},  {"finite_part", 2},      {"finite_union", 2},
 };
 
 std::string blanks(int count) {
@@ -47,12 +38,6 @@ std::string blanks(int count) {
 
 }  // namespace
 
-bool Script::is_calculus(const std::string& rule) {
-  return lemmas.contains(rule) || rule == "constant" || rule == "mean_value" || rule == "finite_shift" ||
-         rule == "piecewise" || rule == "periodic" || rule == "finite_point" || rule == "differentiate" ||
-         rule == "continuity" || rule == "zeros_between" || rule == "inverse_of";
-}
-
 std::string Script::calculus(const Theorem& theorem, const Scope& scope) {
   const Step& step = theorem.derivation();
   if (step.rule == "differentiate" || step.rule == "continuity") {
@@ -60,13 +45,6 @@ std::string Script::calculus(const Theorem& theorem, const Scope& scope) {
   }
   if (step.rule == "zeros_between") {
     return zeros_between(theorem, scope);
-  }
-  if (step.rule == "inverse_of") {
-    if (theorem.conclusion().parts()[0].type().rows != 4) {
-      throw KernelError("only inverses of four rows have a counterpart in Coq yet");
-    }
-    needs_.insert("Inverses");
-    return fmt::format("  exact (inverse_of _ _ {}).", term(step.premises[0], scope));
   }
   std::vector<std::string> premises;
   std::transform(step.premises.begin(), step.premises.end(), std::back_inserter(premises),
@@ -99,9 +77,12 @@ std::string Script::calculus(const Theorem& theorem, const Scope& scope) {
     return fmt::format("  exact (constant{}{}{} {}).", everywhere ? "" : "_finite", matrices ? "_m" : "",
                        blanks(matrices ? 5 : 3), fmt::join(premises, " "));
   }
-  const Named& named = lemmas.at(step.rule);
-  return fmt::format("  exact ({}{}{} {}).", named.lemma, matrices ? "_m" : "",
-                     blanks(named.found + (matrices ? 2 : 0)), fmt::join(premises, " "));
+  const auto lemma = lemmas.find(step.rule);
+  if (lemma == lemmas.end()) {
+    throw KernelError("the rule " + step.rule + " has no counterpart in Coq yet");
+  }
+  return fmt::format("  exact ({}{}{} {}).", step.rule, matrices ? "_m" : "",
+                     blanks(lemma->second + (matrices ? 2 : 0)), fmt::join(premises, " "));
 }
 
 // The whole numbers k with x = (k + 0)*pi or (k + 1/2)*pi are tried one after the other.
@@ -110,9 +91,7 @@ std::string Script::zeros_between(const Theorem& theorem, const Scope& scope) {
   const bool sine = premises[0].conclusion().parts()[0].kind() == Kind::sine;
   const Rational offset = sine ? Rational(0) : Rational(1, 2);
   const Rational from = premises[1].conclusion().parts()[0].parts()[0].value() - offset;
-  mpz_class first;
-  mpz_fdiv_q(first.get_mpz_t(), from.get_num_mpz_t(), from.get_den_mpz_t());
-  first += 1;
+  const mpz_class first = orbits::rounded_down(from, 1).get_num() + 1;
   const std::size_t cases = theorem.conclusion().parts().size();
   const mpz_class last = first + cases;
   std::string text = fmt::format(
@@ -180,13 +159,8 @@ std::string Script::by_composition(const Theorem& theorem, const Scope& scope) {
   for (const Formula& divisor : step.divisors) {
     known.push_back(hypothesis(divisor, scope));
   }
-  if (!definitions.empty()) {
-    std::vector<std::string> names;
-    std::transform(definitions.begin(), definitions.end(), std::back_inserter(names),
-                   [](const Definition& definition) { return definition_name(definition); });
-    text += fmt::format("  cbv beta delta [{}]{}.\n", fmt::join(names, " "),
-                        known.empty() ? "" : fmt::format(" in {} |- *", fmt::join(known, ", ")));
-  }
+  text += opening("  ", definitions,
+                  known.empty() ? ".\n" : fmt::format(" in {} |- *.\n", fmt::join(known, ", ")));
   for (const Variable& variable : variables) {
     if (variable.type == function_of_time(4, 1)) {
       const std::string name = identifier(variable.name);

@@ -9,6 +9,7 @@
 #include "proofs/certificates/coq_terms.hpp"
 #include "proofs/certificates/phases.hpp"
 #include "proofs/certificates/script.hpp"
+#include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::certificates {
 
@@ -18,21 +19,17 @@ namespace {
 
 // What a normal form takes as it stands: variables, functions and definitions applied, pi. What stands in
 // the argument of a cos or sin is part of a phase.
-void collect_atoms(const Term& term, std::vector<Term>& found, std::set<Term>& seen) {
-  if (!seen.insert(term).second || term.kind() == Kind::cosine || term.kind() == Kind::sine) {
-    return;
-  }
-  const bool atom = term.kind() == Kind::variable || term.kind() == Kind::apply ||
-                    term.kind() == Kind::defined || term.kind() == Kind::pi;
-  if (atom) {
-    if (term.type().is_numeric()) {
-      found.push_back(term);
+std::vector<Term> atoms_in(const std::vector<Term>& terms) {
+  std::vector<Term> found;
+  tactics::each_part(terms, [&](const Term& part) {
+    const bool atom = part.kind() == Kind::variable || part.kind() == Kind::apply ||
+                      part.kind() == Kind::defined || part.kind() == Kind::pi;
+    if (atom && part.type().is_numeric()) {
+      found.push_back(part);
     }
-    return;
-  }
-  for (const Term& part : term.parts()) {
-    collect_atoms(part, found, seen);
-  }
+    return !atom && part.kind() != Kind::cosine && part.kind() != Kind::sine;
+  });
+  return found;
 }
 
 // The entries of a matrix, row after row.
@@ -47,8 +44,7 @@ std::string entries(const Type& type, const std::string& name) {
 }
 
 bool same_value(const Term& a, const Term& b) {
-  return a == b || (a.type().is_numeric() && b.type().is_numeric() && a.type().rows == b.type().rows &&
-                    a.type().columns == b.type().columns && identity(a, b));
+  return a == b || (a.type().is_numeric() && a.type() == b.type() && identity(a, b));
 }
 
 // Whether the normal form takes two atoms for one, though they are written differently.
@@ -59,26 +55,16 @@ bool same_atom(const Term& a, const Term& b) {
   return std::equal(a.parts().begin(), a.parts().end(), b.parts().begin(), b.parts().end(), same_value);
 }
 
-void collect_applied(const Term& term, std::vector<Term>& found, std::set<Term>& seen) {
-  if (!seen.insert(term).second || term.kind() == Kind::variable) {
-    return;
-  }
-  if (term.kind() == Kind::apply || term.kind() == Kind::defined) {
-    found.push_back(term);
-    return;
-  }
-  for (const Term& part : term.parts()) {
-    collect_applied(part, found, seen);
-  }
-}
-
 // Writes equal atoms alike, in the terms and in Coq: in the goal and in these hypotheses.
 std::string same_atoms(std::vector<Term>& terms, const std::vector<std::string>& hypotheses) {
   std::vector<Term> atoms;
-  std::set<Term> seen;
-  for (const Term& term : terms) {
-    collect_applied(term, atoms, seen);
-  }
+  tactics::each_part(terms, [&](const Term& part) {
+    const bool applied = part.kind() == Kind::apply || part.kind() == Kind::defined;
+    if (applied) {
+      atoms.push_back(part);
+    }
+    return !applied;
+  });
   std::string text;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     const auto first = std::find_if(atoms.begin(), atoms.begin() + static_cast<std::ptrdiff_t>(i),
@@ -287,9 +273,7 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
       terms.push_back(divisor.parts()[0].parts()[0]);
     }
   }
-  if (!opened.empty()) {
-    text += fmt::format("  cbv beta delta [{}].\n", names_of(opened));
-  }
+  text += opening("  ", opened, ".\n");
   text += same_atoms(terms, divisors);
   const auto listed = [&] { return fmt::format("{}", fmt::join(divisors, " ")); };
   const auto reverted = [&] { return divisors.empty() ? "" : fmt::format("  revert {}.\n", listed()); };
@@ -331,11 +315,7 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
     know("C'");
     know("S'");
   }
-  std::vector<Term> atoms;
-  std::set<Term> seen;
-  for (const Term& term : terms) {
-    collect_atoms(term, atoms, seen);
-  }
+  std::vector<Term> atoms = atoms_in(terms);
   if (std::ranges::any_of(atoms, [](const Term& atom) { return atom.kind() == Kind::pi; })) {
     text += "  pose proof PI_neq0 as n'.\n";
     know("n'");

@@ -64,11 +64,7 @@ std::string in_units(const Matrix& matrix) {
 
 // "  cbv beta delta [H z0].", or nothing.
 std::string opened_in(const Term& term) {
-  std::vector<Definition> opened;
-  collect_definitions(term, opened);
-  return opened.empty()
-             ? ""
-             : fmt::format("  cbv beta delta [{}].\n", names_of(Definitions(opened.begin(), opened.end())));
+  return opening("  ", tactics::definitions_in({term}), ".\n");
 }
 
 // The shortest of the long numbers that a term, once it is opened, would hold more than once: those that
@@ -139,9 +135,7 @@ std::string Script::read_once(const Formula& relation) {
   const Term& number = *counted;
   const auto [reading, is_new] = readings_.emplace(number, "");
   if (is_new) {
-    std::vector<Definition> all;
-    collect_definitions(number, all);
-    const Definitions opened(all.begin(), all.end());
+    const Definitions opened = tactics::definitions_in({number});
     const bool of_numbers = std::ranges::all_of(
         number.variables(), [](const Variable& variable) { return variable.type == real_number; });
     if (!of_numbers || coq(unfold(number, opened)).size() < is_long) {
@@ -200,11 +194,7 @@ std::string Script::sign(const Theorem& theorem, const Scope& scope) {
 // Jury's test is one inequality for each degree.
 std::string Script::jury(const Theorem& theorem, const Scope& scope) {
   needs_.insert({"Stability", "Numbers"});
-  std::vector<Definition> opened;
-  collect_definitions(theorem, opened);
-  const std::string open = opened.empty() ? ""
-                                          : fmt::format("cbv beta delta [{}]; ",
-                                                        names_of(Definitions(opened.begin(), opened.end())));
+  const std::string open = opening("", tactics::definitions_in({theorem.conclusion()}), "; ");
   return bounds_opened(theorem, scope) +
          fmt::format(
              "  apply inside_by_schur; {}cbv beta iota delta [schur next Nat.sub]; reduce_matrices.\n"

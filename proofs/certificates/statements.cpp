@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "proofs/certificates/coq_terms.hpp"
 #include "proofs/certificates/script.hpp"
+#include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::certificates {
 
@@ -77,9 +78,7 @@ bool is_immediate(const Theorem& theorem) {
   if (said.kind() != Kind::equal) {
     return false;
   }
-  std::vector<Definition> found;
-  collect_definitions(said, found);
-  const Definitions all(found.begin(), found.end());
+  const Definitions all = tactics::definitions_in({said});
   return unfold(said.parts()[0], all) == unfold(said.parts()[1], all);
 }
 

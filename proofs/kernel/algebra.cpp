@@ -17,17 +17,14 @@ void subtract(const std::vector<Multiple>& multiples, std::vector<Term>& parts, 
   }
 }
 
-// That the sum of the parts is zero by normal form: records what that divides by, and returns all hypotheses.
-Formulas hypotheses_of_vanishing(const std::vector<Term>& parts, Step& step) {
+// That the sum of the parts is zero by normal form: records what that divides by.
+void require_vanishing(const std::vector<Term>& parts, Step& step) {
   const Term whole = sum(parts);
   const Term looked_into = unfold(whole, step.unfolded);
   step.divisors = divisors(whole);
   const Formulas inside = divisors(looked_into);
   step.divisors.insert(inside.begin(), inside.end());
   require(vanishes(looked_into), "the difference is not zero by normal form");
-  Formulas hypotheses = hypotheses_of(step.premises);
-  hypotheses.insert(step.divisors.begin(), step.divisors.end());
-  return hypotheses;
 }
 
 // The number m of a bound that is written m*pi.
@@ -46,8 +43,8 @@ Theorem Theorem::combination(const Formula& equation, const std::vector<Multiple
   Step step{.rule = "combination", .data = {equation}, .unfolded = unfolded};
   std::vector<Term> parts{equation.parts()[0] - equation.parts()[1]};
   subtract(multiples, parts, step);
-  const Formulas hypotheses = hypotheses_of_vanishing(parts, step);
-  return {step, hypotheses, equation};
+  require_vanishing(parts, step);
+  return {step, equation};
 }
 
 Theorem Theorem::order(const Formula& inequality, const std::vector<Positive>& positives,
@@ -78,15 +75,14 @@ Theorem Theorem::order(const Formula& inequality, const std::vector<Positive>& p
   require(some_strict || inequality.kind() == Kind::at_most,
           "a strict inequality needs a product of strict inequalities");
   subtract(multiples, parts, step);
-  const Formulas hypotheses = hypotheses_of_vanishing(parts, step);
-  return {step, hypotheses, inequality};
+  require_vanishing(parts, step);
+  return {step, inequality};
 }
 
 Theorem Theorem::square_root(const Term& a) {
   require(a.type().is_scalar(), "only numbers have square roots");
   const Variable x = fresh(real_number, {a});
   return {{.rule = "square_root", .data = {a}},
-          {},
           implies(at_most(0, a), kernel::exists(x, all({at_most(0, x), equal(power(x, 2), a)})))};
 }
 
@@ -96,7 +92,6 @@ Theorem Theorem::trichotomy(const Term& a, const Term& b) {
     return all({implies(left, right), implies(right, left)});
   };
   return {{.rule = "trichotomy", .data = {a, b}},
-          {},
           all({any({below, same, above}), negation(all({below, same})), negation(all({below, above})),
                negation(all({same, above})), iff(at_most(a, b), any({below, same})),
                iff(at_most(b, a), any({same, above}))})};
@@ -120,13 +115,11 @@ Theorem Theorem::zeros_between(const Theorem& equation, const Theorem& lower, co
   for (Rational zero = k + 1 + offset; zero < last; zero += 1) {
     cases.push_back(equal(x, Term(zero) * pi()));
   }
-  return {{.rule = "zeros_between", .premises = {equation, lower, upper}},
-          hypotheses_of({equation, lower, upper}),
-          any(cases)};
+  return {{.rule = "zeros_between", .premises = {equation, lower, upper}}, any(cases)};
 }
 
 Theorem Theorem::sine_is_positive(const Term& x) {
-  return {{.rule = "sine_is_positive", .data = {x}}, {}, implies(between(0, x, pi()), less(0, sin(x)))};
+  return {{.rule = "sine_is_positive", .data = {x}}, implies(between(0, x, pi()), less(0, sin(x)))};
 }
 
 }  // namespace stickslip::proofs::kernel

@@ -127,9 +127,7 @@ Theorem Theorem::differentiate(const Term& function, const Term& point,
   for (const Formula& divisor : met) {
     step.divisors.insert(substitute(divisor, {{time, point}}));
   }
-  Formulas hypotheses = hypotheses_of(premises);
-  hypotheses.insert(step.divisors.begin(), step.divisors.end());
-  return {step, hypotheses, kernel::derivative(function, point, value)};
+  return {step, kernel::derivative(function, point, value)};
 }
 
 Theorem Theorem::unique_derivative(const Theorem& one, const Theorem& other) {
@@ -138,9 +136,7 @@ Theorem Theorem::unique_derivative(const Theorem& one, const Theorem& other) {
   require(a.kind() == Kind::derivative && b.kind() == Kind::derivative && a.parts()[0] == b.parts()[0] &&
               a.parts()[1] == b.parts()[1],
           "these are not derivatives of one function at one point");
-  return {{.rule = "unique_derivative", .premises = {one, other}},
-          hypotheses_of({one, other}),
-          equal(a.parts()[2], b.parts()[2])};
+  return {{.rule = "unique_derivative", .premises = {one, other}}, equal(a.parts()[2], b.parts()[2])};
 }
 
 Theorem Theorem::same_derivative(const Theorem& derivative, const Theorem& agreement, const Theorem& lower,
@@ -160,7 +156,6 @@ Theorem Theorem::same_derivative(const Theorem& derivative, const Theorem& agree
           "the functions do not agree on this interval, the known one on the left");
   const Term other = lambda(t, body.parts()[1].parts()[1]);
   return {{.rule = "same_derivative", .premises = {derivative, agreement, lower, upper}},
-          hypotheses_of({derivative, agreement, lower, upper}),
           kernel::derivative(other, known.parts()[1], known.parts()[2])};
 }
 
@@ -176,7 +171,6 @@ Theorem Theorem::constant(const Theorem& continuity, const Theorem& no_derivativ
   require(no_derivative.conclusion() == everywhere || no_derivative.conclusion() == but_finitely,
           "the derivative of this function is not known to be 0 inside this interval");
   return {{.rule = "constant", .premises = {continuity, no_derivative}},
-          hypotheses_of({continuity, no_derivative}),
           for_all(t, implies(within(a, t, b), equal(apply(f, t), apply(f, a))))};
 }
 
@@ -191,7 +185,6 @@ Theorem Theorem::monotone(const Theorem& continuity, const Theorem& few_exceptio
   require(few_exceptions.conclusion() == kernel::finite(t, all({between(a, t, b), negation(grows)})),
           "the derivative is not known to be at least 0 but at finitely many times");
   return {{.rule = "monotone", .premises = {continuity, few_exceptions}},
-          hypotheses_of({continuity, few_exceptions}),
           implies(at_most(a, b), at_most(apply(f, a), apply(f, b)))};
 }
 
@@ -212,7 +205,6 @@ Theorem Theorem::mean_value(const Theorem& continuity, const Theorem& derivative
               at_c.parts()[1].parts()[1] == Term(c),
           "the derivative of this function is not given inside this interval");
   return {{.rule = "mean_value", .premises = {continuity, derivative, order}},
-          hypotheses_of({continuity, derivative, order}),
           exists(c, all({between(a, c, b),
                          equal(apply(f, b) - apply(f, a), at_c.parts()[1].parts()[2] * (b - a))}))};
 }
@@ -229,7 +221,6 @@ Theorem Theorem::intermediate_value(const Theorem& continuity, const Theorem& st
           "the values at the ends are not known to be below and above zero");
   const Variable c = fresh(real_number, {known});
   return {{.rule = "intermediate_value", .premises = {continuity, start, end, order}},
-          hypotheses_of({continuity, start, end, order}),
           exists(c, all({between(a, c, b), equal(apply(f, c), 0)}))};
 }
 

@@ -242,16 +242,7 @@ Term Definition::unfolded(const std::vector<Term>& arguments) const {
 }
 
 std::strong_ordering operator<=>(const Definition& a, const Definition& b) {
-  if (a.data_ == b.data_) {
-    return std::strong_ordering::equal;
-  }
-  if (const auto order = a.name() <=> b.name(); order != 0) {
-    return order;
-  }
-  if (const auto order = a.parameters() <=> b.parameters(); order != 0) {
-    return order;
-  }
-  return a.body() <=> b.body();
+  return a.data_ == b.data_ ? std::strong_ordering::equal : *a.data_ <=> *b.data_;
 }
 
 }  // namespace stickslip::proofs::kernel

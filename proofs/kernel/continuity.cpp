@@ -97,9 +97,7 @@ Theorem Theorem::continuity(const Term& function, const Term& a, const Term& b,
     const bool varies = divisor.variables().contains(time);
     step.divisors.insert(varies ? for_all(time, implies(within(a, time, b), divisor)) : divisor);
   }
-  Formulas hypotheses = hypotheses_of(premises);
-  hypotheses.insert(step.divisors.begin(), step.divisors.end());
-  return {step, hypotheses, continuous(function, a, b)};
+  return {step, continuous(function, a, b)};
 }
 
 Theorem Theorem::continuous_within(const Theorem& theorem, const Theorem& lower, const Theorem& upper) {
@@ -109,7 +107,6 @@ Theorem Theorem::continuous_within(const Theorem& theorem, const Theorem& lower,
   const auto [d, b] = sides(upper, Kind::at_most);
   require(a == known.parts()[1] && b == known.parts()[2], "the interval is not known to lie inside");
   return {{.rule = "continuous_within", .premises = {theorem, lower, upper}},
-          hypotheses_of({theorem, lower, upper}),
           continuous(known.parts()[0], c, d)};
 }
 
@@ -122,9 +119,7 @@ Theorem Theorem::finite_part(const Theorem& finite, const Theorem& part) {
   const Formula body = opened(claim, t);
   require(body.kind() == Kind::implication && body.parts()[1] == opened(finite.conclusion(), t),
           "the set is not known to be part of the finite one");
-  return {{.rule = "finite_part", .premises = {finite, part}},
-          hypotheses_of({finite, part}),
-          kernel::finite(t, body.parts()[0])};
+  return {{.rule = "finite_part", .premises = {finite, part}}, kernel::finite(t, body.parts()[0])};
 }
 
 Theorem Theorem::finite_union(const Theorem& one, const Theorem& other) {
@@ -132,7 +127,6 @@ Theorem Theorem::finite_union(const Theorem& one, const Theorem& other) {
           "a premise is of no finite set");
   const Variable t = fresh(real_number, {one.conclusion(), other.conclusion()});
   return {{.rule = "finite_union", .premises = {one, other}},
-          hypotheses_of({one, other}),
           kernel::finite(t, any({opened(one.conclusion(), t), opened(other.conclusion(), t)}))};
 }
 
@@ -141,7 +135,6 @@ Theorem Theorem::finite_shift(const Theorem& finite, const Term& c) {
   require(c.is_closed() && c.type().is_scalar(), "times are shifted by a number");
   const Variable t = fresh(real_number, {finite.conclusion(), c});
   return {{.rule = "finite_shift", .premises = {finite}, .data = {c}},
-          finite.hypotheses(),
           kernel::finite(t, opened(finite.conclusion(), Term(t) + c))};
 }
 

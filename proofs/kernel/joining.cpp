@@ -11,7 +11,6 @@ Theorem Theorem::piecewise(const Term& before, const Term& after, const Term& c)
   const Variable X = fresh(before.type(), {before, after, c});
   const Variable t = fresh(real_number, {before, after, c, X});
   return {{.rule = "piecewise", .data = {before, after, c}},
-          {},
           exists(X, for_all(t, all({implies(less(t, c), equal(apply(X, t), apply(before, t))),
                                     implies(at_most(c, t), equal(apply(X, t), apply(after, t)))})))};
 }
@@ -23,7 +22,6 @@ Theorem Theorem::periodic(const Term& function, const Theorem& positive) {
   const Variable X = fresh(function.type(), {function, period});
   const Variable t = fresh(real_number, {function, period, X});
   return {{.rule = "periodic", .premises = {positive}, .data = {function}},
-          positive.hypotheses(),
           exists(X, all({for_all(t, implies(all({at_most(0, t), less(t, period)}),
                                             equal(apply(X, t), apply(function, t)))),
                          for_all(t, equal(apply(X, Term(t) + period), apply(X, t)))}))};
@@ -40,7 +38,6 @@ Theorem Theorem::same_continuity(const Theorem& continuity, const Theorem& agree
               body.parts()[1].kind() == Kind::equal && body.parts()[1].parts()[0] == apply(f, t),
           "the functions do not agree on this interval, the known one on the left");
   return {{.rule = "same_continuity", .premises = {continuity, agreement}},
-          hypotheses_of({continuity, agreement}),
           continuous(lambda(t, body.parts()[1].parts()[1]), a, b)};
 }
 
@@ -50,14 +47,13 @@ Theorem Theorem::continuous_union(const Theorem& before, const Theorem& after) {
   require(one.parts()[0] == other.parts()[0] && one.parts()[2] == other.parts()[1],
           "these are not one function's on intervals that share an end");
   return {{.rule = "continuous_union", .premises = {before, after}},
-          hypotheses_of({before, after}),
           continuous(one.parts()[0], one.parts()[1], other.parts()[2])};
 }
 
 Theorem Theorem::finite_point(const Term& a) {
   require(a.is_closed() && a.type().is_scalar(), "a time is a number");
   const Variable t = fresh(real_number, {a});
-  return {{.rule = "finite_point", .data = {a}}, {}, kernel::finite(t, equal(t, a))};
+  return {{.rule = "finite_point", .data = {a}}, kernel::finite(t, equal(t, a))};
 }
 
 }  // namespace stickslip::proofs::kernel

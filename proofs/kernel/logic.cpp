@@ -19,15 +19,15 @@ Theorem::Theorem(Step step, Formulas hypotheses, const Formula& conclusion)
   check(conclusion);
 }
 
-Formulas hypotheses_of(const std::vector<Theorem>& premises) {
-  Formulas all;
-  for (const Theorem& premise : premises) {
+namespace {
+
+Formulas hypotheses_of(const Step& step) {
+  Formulas all = step.divisors;
+  for (const Theorem& premise : step.premises) {
     all.insert(premise.hypotheses().begin(), premise.hypotheses().end());
   }
   return all;
 }
-
-namespace {
 
 Formulas without(Formulas formulas, const Formula& one) {
   formulas.erase(one);
@@ -120,6 +120,8 @@ class Tables {
 
 }  // namespace
 
+Theorem::Theorem(Step step, const Formula& conclusion) : Theorem(step, hypotheses_of(step), conclusion) {}
+
 Theorem Theorem::assume(const Formula& a) {
   return {{.rule = "assume", .data = {a}}, {a}, a};
 }
@@ -143,7 +145,7 @@ Theorem Theorem::consequence(const std::vector<Theorem>& premises, const Formula
     formulas.push_back(premise.conclusion());
   }
   require(Tables(formulas, conclusion).closes(), "the conclusion does not follow by truth tables");
-  return {{.rule = "consequence", .premises = premises}, hypotheses_of(premises), conclusion};
+  return {{.rule = "consequence", .premises = premises}, conclusion};
 }
 
 Theorem Theorem::instantiate(const Theorem& theorem, const Substitution& substitution) {
@@ -163,22 +165,18 @@ Theorem Theorem::generalize(const Theorem& theorem, const Variable& variable) {
   require(!is_free_in(variable, theorem.hypotheses()),
           "the variable " + variable.name + " is in a hypothesis");
   return {{.rule = "generalize", .premises = {theorem}, .data = {variable}},
-          theorem.hypotheses(),
           for_all(variable, theorem.conclusion())};
 }
 
 Theorem Theorem::specialize(const Theorem& theorem, const Term& term) {
   require(theorem.conclusion().kind() == Kind::for_all, "only what is so for all is so for one");
-  return {{.rule = "specialize", .premises = {theorem}, .data = {term}},
-          theorem.hypotheses(),
-          opened(theorem.conclusion(), term)};
+  return {{.rule = "specialize", .premises = {theorem}, .data = {term}}, opened(theorem.conclusion(), term)};
 }
 
 Theorem Theorem::witness(const Theorem& theorem, const Formula& existence, const Term& term) {
   require(existence.kind() == Kind::exists && opened(existence, term) == theorem.conclusion(),
           "the theorem does not say this of the witness");
-  return {
-      {.rule = "witness", .premises = {theorem}, .data = {existence, term}}, theorem.hypotheses(), existence};
+  return {{.rule = "witness", .premises = {theorem}, .data = {existence, term}}, existence};
 }
 
 Theorem Theorem::choose(const Theorem& existence, const Variable& variable, const Theorem& theorem) {
@@ -196,7 +194,7 @@ Theorem Theorem::choose(const Theorem& existence, const Variable& variable, cons
 }
 
 Theorem Theorem::reflexive(const Term& a) {
-  return {{.rule = "reflexive", .data = {a}}, {}, equal(a, a)};
+  return {{.rule = "reflexive", .data = {a}}, equal(a, a)};
 }
 
 Theorem Theorem::replace(const Theorem& equation, const Variable& place, const Formula& formula,
@@ -205,7 +203,6 @@ Theorem Theorem::replace(const Theorem& equation, const Variable& place, const F
   require(substitute(formula, {{place, a}}) == theorem.conclusion(),
           "the theorem is not the formula with the equation's left side in place");
   return {{.rule = "replace", .premises = {equation, theorem}, .data = {place, formula}},
-          hypotheses_of({equation, theorem}),
           substitute(formula, {{place, b}})};
 }
 
@@ -213,7 +210,6 @@ Theorem Theorem::convert(const Theorem& theorem, const Formula& conclusion, cons
   require(unfold(theorem.conclusion(), definitions) == unfold(conclusion, definitions),
           "the two differ when the definitions are unfolded");
   return {{.rule = "convert", .premises = {theorem}, .data = {conclusion}, .unfolded = definitions},
-          theorem.hypotheses(),
           conclusion};
 }
 

@@ -26,16 +26,16 @@ bool passes_jury(std::vector<Ball> c) {
 // Variables in ranges, for the rules that hold for all their values: hypotheses l ≤ x, x ≤ u.
 struct Ranged {
   Formulas hypotheses = {};
-  std::vector<Term> data = {};
   Balls::Values values = {};
 
-  explicit Ranged(const Ranges& ranges) {
+  // Adds them to the step's data.
+  Ranged(const Ranges& ranges, Step& step) {
     for (const auto& [variable, range] : ranges) {
       require(variable.type.is_scalar(), "only numbers have ranges");
       const Term lower = range.first, upper = range.second;
       values[variable] = {ball(range)};
       hypotheses.insert({at_most(lower, variable), at_most(variable, upper)});
-      data.insert(data.end(), {variable, lower, upper});
+      step.data.insert(step.data.end(), {variable, lower, upper});
     }
   }
 };
@@ -51,9 +51,8 @@ Theorem Theorem::sign(const Formula& relation, const Ranges& ranges, long bits) 
   require(compared.parts()[0].type().is_scalar() && compared.parts()[1].type().is_scalar(),
           "only numbers have signs");
   const WorkingPrecision scope(bits);
-  const Ranged known(ranges);
   Step step{.rule = "sign", .data = {relation, bits}};
-  step.data.insert(step.data.end(), known.data.begin(), known.data.end());
+  const Ranged known(ranges, step);
   const Ball difference = InBalls({known.values})(compared.parts()[1] - compared.parts()[0])[0];
   require(differs ? difference.is_nonzero() : difference.is_positive(), "the balls do not decide the sign");
   return {step, known.hypotheses, relation};
@@ -63,9 +62,8 @@ Theorem Theorem::jury(const Term& coefficients, const Ranges& ranges, long bits)
   const Formula conclusion = inside_unit_circle(coefficients);
   require_precision(bits);
   const WorkingPrecision scope(bits);
-  const Ranged known(ranges);
   Step step{.rule = "jury", .data = {coefficients, bits}};
-  step.data.insert(step.data.end(), known.data.begin(), known.data.end());
+  const Ranged known(ranges, step);
   require(passes_jury(InBalls({known.values})(coefficients)), "Jury's test does not prove it");
   return {step, known.hypotheses, conclusion};
 }

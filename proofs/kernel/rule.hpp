@@ -29,8 +29,6 @@ inline void require(bool holds, const std::string& message) {
 // The variable as the index 0 of a binder to be put around.
 [[nodiscard]] Term abstracted(const Term& body, const Variable& variable);
 
-[[nodiscard]] Formulas hypotheses_of(const std::vector<Theorem>& premises);
-
 // The derivative of a term without functions of time in a number x.
 [[nodiscard]] Term partial_derivative(const Term& term, const Variable& x);
 

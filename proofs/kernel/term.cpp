@@ -23,8 +23,7 @@ Type shape_of_sum(const std::vector<Term>& parts) {
   Type type = parts.front().type();
   for (const Term& part : parts) {
     require(part.type().is_numeric(), "only numbers and matrices are added");
-    require(part.type().rows == type.rows && part.type().columns == type.columns,
-            "a sum's parts differ in shape");
+    require(part.type() == type, "a sum's parts differ in shape");
   }
   return type;
 }
@@ -66,7 +65,7 @@ Type numeric_type(const Node& node) {
       require(parts[0].type().is_numeric() && parts[0].type().rows == parts[0].type().columns &&
                   parts[0].type().rows <= 4,
               "only a square matrix of at most 4 rows is inverted");
-      return {Sort::real, parts[0].type().rows, parts[0].type().columns};
+      return parts[0].type();
     case Kind::cosine:
     case Kind::sine:
       require(parts[0].type().is_scalar(), "cos and sin are of numbers");
@@ -102,9 +101,7 @@ void check_formula(const Node& node) {
   };
   switch (node.kind) {
     case Kind::equal:
-      require(parts[0].type().is_numeric() && parts[1].type().is_numeric() &&
-                  parts[0].type().rows == parts[1].type().rows &&
-                  parts[0].type().columns == parts[1].type().columns,
+      require(parts[0].type().is_numeric() && parts[0].type() == parts[1].type(),
               "the sides of an equation differ in shape");
       return;
     case Kind::less:

@@ -134,6 +134,7 @@ class Definition {
     std::string name;
     std::vector<Variable> parameters;
     Term body;
+    friend std::strong_ordering operator<=>(const Data& a, const Data& b) = default;
   };
   std::shared_ptr<const Data> data_;
 };

@@ -162,8 +162,10 @@ class Theorem final {
     Sequent sequent;
     std::shared_ptr<const Step> step;
   };
-  // Throws KernelError if something is no closed formula, or if one name stands for two types.
+  // Throw KernelError if something is no closed formula, or if one name stands for two types. Without
+  // hypotheses: under all that the step's premises have, and its divisors.
   Theorem(Step step, Formulas hypotheses, const Formula& conclusion);
+  Theorem(Step step, const Formula& conclusion);
   std::shared_ptr<const Data> data_;
 };
 

@@ -123,7 +123,7 @@ Theorem Theorem::one_zero(const Variable& X, const Term& f, const Box& box, long
   for (const Interval& side : box) {
     step.data.insert(step.data.end(), {side.first, side.second});
   }
-  return {step, {}, exactly_one(X, box, equal(f, zero(X.type)))};
+  return {step, exactly_one(X, box, equal(f, zero(X.type)))};
 }
 
 }  // namespace stickslip::proofs::kernel

@@ -449,28 +449,11 @@ void add(Openings& openings, const Definition& definition) {
   }
 }
 
-void collect(const Term& term, std::set<Term>& seen, Definitions& found) {
-  if (!seen.insert(term).second) {
-    return;
-  }
-  if (term.kind() == kernel::Kind::defined && found.insert(term.definition()).second) {
-    collect(term.definition().body(), seen, found);
-  }
-  for (const Term& part : term.parts()) {
-    collect(part, seen, found);
-  }
-}
-
 }  // namespace
 
 Openings openings(const std::vector<Formula>& formulas) {
-  std::set<Term> seen;
-  Definitions found;
-  for (const Formula& formula : formulas) {
-    collect(formula, seen, found);
-  }
   Openings result;
-  for (const Definition& definition : found) {
+  for (const Definition& definition : tactics::definitions_in(formulas)) {
     add(result, definition);
   }
   return result;

@@ -59,7 +59,7 @@ symbols::Term neat_letter(const Term& letter) {
   }
 }
 
-symbols::Term product_of(const tactics::Monomial& monomial, const std::vector<Term>& letters) {
+symbols::Term product_of(const Monomial& monomial, const std::vector<Term>& letters) {
   std::vector<std::size_t> order(letters.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_partition(order.begin(), order.end(),
@@ -81,9 +81,9 @@ symbols::Term product_of(const tactics::Monomial& monomial, const std::vector<Te
 }
 
 // The terms of low degree first.
-std::vector<tactics::Monomial> in_order(const Polynomial& polynomial) {
-  std::vector<tactics::Monomial> result = tactics::monomials(polynomial);
-  std::ranges::stable_sort(result, {}, [](const tactics::Monomial& one) {
+std::vector<Monomial> in_order(const Polynomial& polynomial) {
+  std::vector<Monomial> result = monomials(polynomial);
+  std::ranges::stable_sort(result, {}, [](const Monomial& one) {
     return std::accumulate(one.degrees.begin(), one.degrees.end(), 0);
   });
   return result;
@@ -91,7 +91,7 @@ std::vector<tactics::Monomial> in_order(const Polynomial& polynomial) {
 
 symbols::Term sum_of(const Polynomial& polynomial, const tactics::Letters& letters) {
   std::optional<symbols::Term> sum;
-  for (const tactics::Monomial& one : in_order(polynomial)) {
+  for (const Monomial& one : in_order(polynomial)) {
     const symbols::Term product = product_of(one, letters.terms());
     const bool is_negative = one.coefficient < 0;
     sum = sum ? (is_negative ? *sum - product : *sum + product) : is_negative ? -product : product;

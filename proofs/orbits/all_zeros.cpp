@@ -80,14 +80,6 @@ class Zeros {
   [[nodiscard]] Term value(const Term& x) const { return with(f_.value, x); }
   [[nodiscard]] Term slope(const Term& x) const { return with(f_.slope, x); }
   [[nodiscard]] Term function(bool rises) const { return lambda(s_, rises ? value(s_) : -value(s_)); }
-  [[nodiscard]] bool holds(const Formula& relation) const {
-    try {
-      static_cast<void>(sign(relation, ranges_));
-      return true;
-    } catch (const KernelError&) {
-      return false;
-    }
-  }
   [[nodiscard]] Theorem discharged(const Theorem& theorem) const {
     return without_divisors(theorem, ranges_);
   }
@@ -96,7 +88,7 @@ class Zeros {
   void enclose(const Rational& nearly, const Variable& x) {
     constexpr long unit = 1000000000;
     const Rational a = rounded_down(nearly, unit) - Rational(1, unit), b = a + Rational(3, unit);
-    const bool rises = holds(less(value(a), 0));
+    const bool rises = holds(less(value(a), 0), ranges_);
     const Term f = function(rises);
     const Theorem found = Theorem::intermediate_value(
         discharged(Theorem::continuity(f, a, b)), sign(less(apply(f, a), 0), ranges_),
@@ -121,13 +113,11 @@ class Zeros {
       const Variable c{"c"};
       Ranges here = ranges_;
       here[c] = {from, to};
-      std::optional<Theorem> keeps;
-      try {
-        keeps = in_pieces(zero.rises ? less(0, slope(c)) : less(slope(c), 0), c, here);
-      } catch (const KernelError&) {
-        continue;
+      const auto keeps =
+          attempt([&] { return in_pieces(zero.rises ? less(0, slope(c)) : less(slope(c), 0), c, here); });
+      if (keeps) {
+        return {from, to, is_zero(zero, from, to, c, *keeps)};
       }
-      return {from, to, is_zero(zero, from, to, c, *keeps)};
     }
     throw KernelError("there may be other zeros of " + f_.value.name() + " near this one");
   }
@@ -188,11 +178,8 @@ class Zeros {
 
   // That the function is above zero, or that it is below.
   [[nodiscard]] Theorem away_from_zero(const Ranges& piece) const {
-    try {
-      return sign(less(0, value(t_)), piece);
-    } catch (const KernelError&) {
-      return sign(less(value(t_), 0), piece);
-    }
+    const auto above = attempt([&] { return sign(less(0, value(t_)), piece); });
+    return above ? *above : sign(less(value(t_), 0), piece);
   }
 
   const Differentiable& f_;
@@ -246,9 +233,7 @@ Theorem row(const Formula& equation, const std::vector<Term>& terms, const Theor
             const Substitution& entries) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
     if (equation == equal(substitute(terms[i], entries), 0)) {
-      std::vector<Term> unit(terms.size(), 0);
-      unit[i] = 1;
-      return Theorem::combination(equation, {{vanishes, matrix(1, static_cast<int>(unit.size()), unit)}});
+      return Theorem::combination(equation, {{vanishes, unit(1, static_cast<int>(terms.size()), i)}});
     }
   }
   throw KernelError("this is none of the equations: " + to_string(equation));
@@ -296,6 +281,16 @@ Theorem with_zero(const Theorem& theorem, const std::vector<Variable>& unknowns,
                          settled_by(Theorem::instantiate(of_column, at_value), [](const Formula& one) {
                            return one.variables().empty() ? std::optional(certainly(one)) : std::nullopt;
                          }));
+}
+
+Theorem there_are(const NamedValues& values, const Formula& said, Theorem theorem) {
+  const Substitution all(values.begin(), values.end());
+  Formula whole = said;
+  for (auto one = values.rbegin(); one != values.rend(); ++one) {
+    whole = exists(one->first, whole);
+    theorem = Theorem::witness(theorem, substitute(whole, all), one->second);
+  }
+  return theorem;
 }
 
 Theorem of_orbit(const Theorem& orbit, const std::function<Theorem(const Theorem&)>& more) {

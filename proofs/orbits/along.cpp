@@ -160,6 +160,10 @@ Theorem sign(const Formula& relation, const Ranges& ranges, long bits) {
   return Theorem::sign(relation, ranges_in(relation, ranges), bits);
 }
 
+bool holds(const Formula& relation, const Ranges& ranges, long bits) {
+  return attempt([&] { return sign(relation, ranges, bits); }).has_value();
+}
+
 Theorem without_divisors(const Theorem& theorem, const Ranges& ranges) {
   return settled_by(theorem, [&](const Formula& one) {
     return is_divisor(one) ? std::optional(sign(one, ranges)) : std::nullopt;
@@ -176,14 +180,7 @@ Rational rounded_down(const Rational& value, const mpz_class& unit) {
 }
 
 Interval enclosure(const Term& term, const Ranges& ranges, const Rational& width) {
-  const auto holds = [&](const Term& a, const Term& b) {
-    try {
-      static_cast<void>(sign(less(a, b), ranges, few_bits));
-      return true;
-    } catch (const KernelError&) {
-      return false;
-    }
-  };
+  const auto is_less = [&](const Term& a, const Term& b) { return holds(less(a, b), ranges, few_bits); };
   Rational low = -1, high = 1;
   const auto widened = [&](Rational& bound, const auto& is_bound) {
     while (!is_bound()) {
@@ -193,14 +190,14 @@ Interval enclosure(const Term& term, const Ranges& ranges, const Rational& width
       }
     }
   };
-  widened(high, [&] { return holds(term, high); });
-  widened(low, [&] { return holds(low, term); });
+  widened(high, [&] { return is_less(term, high); });
+  widened(low, [&] { return is_less(low, term); });
   while (high - low > width) {
     const Rational apart = high - low, lower = low + apart * Rational(3, 8),
                    upper = low + apart * Rational(5, 8);
-    if (holds(term, upper)) {
+    if (is_less(term, upper)) {
       high = upper;
-    } else if (holds(lower, term)) {
+    } else if (is_less(lower, term)) {
       low = lower;
     } else {
       break;

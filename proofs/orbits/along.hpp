@@ -17,6 +17,8 @@ using kernel::Ranges;  // intervals that hold numbers
 
 // The sign rule from these ranges, of which there may be more than occur.
 [[nodiscard]] kernel::Theorem sign(const kernel::Formula& relation, const Ranges& ranges, long bits = 128);
+// Whether the sign rule proves it.
+[[nodiscard]] bool holds(const kernel::Formula& relation, const Ranges& ranges, long bits = 128);
 // The theorem less what it divides by: by signs in these ranges.
 [[nodiscard]] kernel::Theorem without_divisors(const kernel::Theorem& theorem, const Ranges& ranges);
 

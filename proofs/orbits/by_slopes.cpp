@@ -248,21 +248,13 @@ class Varying {
     values.insert_or_assign(x_, x);
     return substitute(number, values);
   }
-  [[nodiscard]] Theorem discharged(Theorem theorem) const {
-    const Formulas hypotheses = theorem.hypotheses();
-    for (const Formula& one : hypotheses) {
-      if (is_divisor(one)) {
-        theorem = Theorem::cut(Theorem::sign(one, ranges_in(one, ranges_)), theorem);
-      }
-    }
-    return theorem;
-  }
   // There is c between the ends with f(b) - f(a) = f'(c) (b - a).
   [[nodiscard]] Theorem chord(const Term& a, const Term& b, const Theorem& order, Substitution values) const {
     const Variable s{"s"};
-    const Theorem rate = discharged(Theorem::instantiate(Theorem::instantiate(rate_, values), {{x_, s}}));
+    const Theorem rate =
+        without_divisors(Theorem::instantiate(Theorem::instantiate(rate_, values), {{x_, s}}), ranges_);
     values.insert({{from_, a}, {to_, b}});
-    return Theorem::mean_value(discharged(Theorem::instantiate(continuity_, values)),
+    return Theorem::mean_value(without_divisors(Theorem::instantiate(continuity_, values), ranges_),
                                for_every(s, between(a, s, b), rate), order);
   }
   // What is so of c in the range, for c between x and m.

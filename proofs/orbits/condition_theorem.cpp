@@ -16,12 +16,12 @@ namespace {
 
 // What follows from the body of an orbit theorem, by its names. The load's frequency is a letter until the
 // end, as in Phases.
-class Condition {
+class Condition : private Names {
  public:
-  explicit Condition(const Question& question) : q_(question), said_(question) {}
+  explicit Condition(const Question& question) : Names(question), q_(question) {}
 
   [[nodiscard]] Theorem operator()(const Requirement& requirement, const Theorem& body) const {
-    return settled_by(Theorem::instantiate(proved(requirement), {{said_.omega(), q_.data.omega}}),
+    return settled_by(Theorem::instantiate(proved(requirement), {{omega(), q_.data.omega}}),
                       [&](const Formula& one) {
                         return is_divisor(one) ? certainly(one) : Theorem::consequence({body}, one);
                       });
@@ -54,22 +54,15 @@ class Condition {
 
   [[nodiscard]] std::size_t count() const { return q_.phases.size(); }
   [[nodiscard]] std::size_t before(std::size_t k) const { return (k + count() - 1) % count(); }
-  [[nodiscard]] Term us() const { return said_.us(); }
-  [[nodiscard]] Term eta() const { return said_.eta(); }
-  [[nodiscard]] Term chi() const { return said_.chi(); }
-  [[nodiscard]] Term ur() const { return said_.ur(); }
-  [[nodiscard]] Term end(std::size_t k) const { return said_.end(k); }
-  [[nodiscard]] Term start(std::size_t k) const { return said_.start(k); }
-  [[nodiscard]] static Term X(std::size_t k, const Term& t) { return Names::state(k, t); }
   // p cos(omega t + phi), as phase k begins.
   [[nodiscard]] Term load(std::size_t k) const { return load_at(start(k)); }
   [[nodiscard]] Term load_at(const Term& t) const {
-    return (Symbolic(q_.data.p) * cos(Symbolic(said_.omega()) * Symbolic(t) + Symbolic(said_.phi()))).term;
+    return (Symbolic(q_.data.p) * cos(Symbolic(omega()) * Symbolic(t) + Symbolic(phi()))).term;
   }
   // chi eta (z2 - z1), as phase k begins.
   [[nodiscard]] Term spring(std::size_t k) const {
     const Rational d1 = q_.data.us / (1 - q_.data.chi), d2 = d1 / q_.data.chi;
-    const Term x = X(k, start(k));
+    const Term x = state(k, start(k));
     return chi() * eta() * ((entry(x, 1) - d2) - (entry(x, 0) - d1));
   }
 
@@ -79,22 +72,22 @@ class Condition {
   [[nodiscard]] Theorem looked_into(const Theorem& theorem) const {
     return Theorem::convert(theorem, unfold(theorem.conclusion(), {friction()}), {friction()});
   }
-  [[nodiscard]] Term friction_after(std::size_t k) const { return said_.friction_at(k, end(k)); }
+  [[nodiscard]] Term friction_after(std::size_t k) const { return friction_at(k, end(k)); }
   // The state in which phase k begins is the one in which the phase before ends: as a multiple of entry i.
   [[nodiscard]] Multiple carried(std::size_t k, std::size_t i, const Term& factor) const {
     std::vector<Term> row(4, 0);
     row[i] = factor;
-    return {said(equal(X(before(k), end(before(k))), X(k, start(k)))), matrix(1, 4, row)};
+    return {said(equal(state(before(k), end(before(k))), state(k, start(k)))), matrix(1, 4, row)};
   }
   [[nodiscard]] Theorem with_belt(std::size_t k) const {
-    return said(equal(entry(X(k, start(k)), 3), q_.data.V));
+    return said(equal(entry(state(k, start(k)), 3), q_.data.V));
   }
 
   // What a phase of this kind is, looked into.
   [[nodiscard]] Theorem phase(std::size_t k) const {
-    const Formula formula = said_.phase(k);
-    const Definitions definitions = said_.definitions(k);
-    return Theorem::convert(said(formula), unfold(formula, definitions), definitions);
+    const Formula formula = Names::phase(k);
+    const Definitions opened = definitions(k);
+    return Theorem::convert(said(formula), unfold(formula, opened), opened);
   }
   // -ur < r and r < ur at a time of the stick.
   [[nodiscard]] Theorem bounded(std::size_t k, const Term& t, const Theorem& since, const Theorem& until,
@@ -111,13 +104,13 @@ class Condition {
     const Formula during = between(start(k), t, end(k));
     const Theorem here = Theorem::assume(during);
     if (quantity == Quantity::below_belt || quantity == Quantity::above_belt) {
-      const Term speed = entry(X(k, t), 3), V = q_.data.V;
+      const Term speed = entry(state(k, t), 3), V = q_.data.V;
       const Formula side = quantity == Quantity::below_belt ? less(speed, V) : less(V, speed);
       return for_every(t, during, Theorem::consequence({at(part(phase(k), 1), t, here)}, side));
     }
     const bool above = quantity == Quantity::below_ur;
     const Theorem since = Theorem::order(at_most(start(k), t), {Positive{{part(here, 0)}}});
-    const Term x = X(k, t);
+    const Term x = state(k, t);
     const Term force = chi() * eta() * (entry(x, 1) - entry(x, 0)) - load_at(t);
     const Term bound = eta() * ur();
     return for_every(t, during,
@@ -147,7 +140,7 @@ class Condition {
     const Theorem balance = Theorem::combination(equal(spring(k), load(k) + eta() * (ur() - us())),
                                                  {{leaves, eta()}, carried(k, 0, ce), carried(k, 1, -ce)});
     // x2'' = eta us - chi eta (x2 - x1) + p cos(omega t + phi), by (2).
-    const Term x = X(k, start(k));
+    const Term x = state(k, start(k));
     const Term acceleration = eta() * us() - ce * (entry(x, 1) - entry(x, 0)) + load(k);
     const Theorem falls =
         Theorem::order(less(acceleration, 0), {Positive{{said(less(us(), ur()))}, q_.data.eta}}, {{balance}});
@@ -164,7 +157,6 @@ class Condition {
   }
 
   const Question& q_;
-  Names said_;
 };
 
 // In what the orbit theorem bounds.
@@ -216,11 +208,8 @@ Theorem value_theorem(const Theorem& orbit, const Question& question, const std:
     if (!outside) {
       return both({decided(at_most(lower, value), body), decided(at_most(value, upper), body)});
     }
-    try {
-      return decided(less(upper, value), body);
-    } catch (const KernelError&) {
-      return decided(less(value, lower), body);
-    }
+    const auto above = attempt([&] { return decided(less(upper, value), body); });
+    return above ? *above : decided(less(value, lower), body);
   });
 }
 

@@ -8,7 +8,6 @@ namespace stickslip::proofs::orbits {
 
 using namespace kernel;
 using numeric::motion::PhaseKind;
-using tactics::Symbolic;
 
 namespace {
 
@@ -178,13 +177,6 @@ Term Names::friction_at(std::size_t k, const Term& t) const {
   return friction()({state(k, t), t, chi(), eta(), omega_, q_.data.p, phi()});
 }
 
-Term Names::start(std::size_t k) const {
-  Symbolic sum;
-  for (std::size_t i = 0; i < k; ++i) {
-    sum += Symbolic(Variable{q_.durations.at(i)});
-  }
-  return sum.term;
-}
 Term Names::end(std::size_t k) const {
   return k + 1 == q_.phases.size() ? Term(2 * q_.period) * pi() / omega_ : start(k + 1);
 }

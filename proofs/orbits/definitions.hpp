@@ -55,8 +55,8 @@ class Names {
   [[nodiscard]] static kernel::Term state(std::size_t k, const kernel::Term& t);
   // The friction at rest there.
   [[nodiscard]] kernel::Term friction_at(std::size_t k, const kernel::Term& t) const;
-  // The sum of the first durations: when a phase begins. When it ends: the last with the period.
-  [[nodiscard]] kernel::Term start(std::size_t k) const;
+  // When a phase begins. When it ends: the last with the period.
+  [[nodiscard]] kernel::Term start(std::size_t k) const { return start_of(q_, k); }
   [[nodiscard]] kernel::Term end(std::size_t k) const;
 
   // That phase k is of its kind, and the definitions in that.

@@ -34,13 +34,7 @@ Interval enclosed(const Term& term, const Ranges& ranges, const Rational& width)
       ranges, [](const auto& one) { return one.second.second.value() - one.second.first.value() > wide; });
   const auto near = static_cast<double>(estimated(term, middle));
   const auto lies_in = [&](const Interval& bounds) {
-    try {
-      static_cast<void>(Theorem::sign(less(bounds.first, term), ranges, bits));
-      static_cast<void>(Theorem::sign(less(term, bounds.second), ranges, bits));
-      return true;
-    } catch (const KernelError&) {
-      return false;
-    }
+    return holds(less(bounds.first, term), ranges, bits) && holds(less(term, bounds.second), ranges, bits);
   };
   if (std::isfinite(near)) {
     const auto about = [&](const Rational& radius) {

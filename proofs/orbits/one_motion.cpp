@@ -71,11 +71,9 @@ class OneMotion {
         }
       }
       for (const int sign : {0, 1, -1}) {
-        try {
-          return Theorem::order(inequality, positives,
-                                sign == 0 ? std::vector<Multiple>{} : std::vector<Multiple>{{whole, sign}});
-        } catch (const KernelError&) {
-          continue;
+        const std::vector<Multiple> because(sign == 0 ? 0 : 1, {whole, sign});
+        if (const auto found = attempt([&] { return Theorem::order(inequality, positives, because); })) {
+          return *found;
         }
       }
     }

@@ -79,11 +79,9 @@ class Orbit {
         if (one.kind() != Kind::equal || one == between) {
           break;
         }
-        try {
-          const std::vector<Multiple> because(factor == 0 ? 0 : 1, {Theorem::assume(between), factor});
-          return Theorem::combination(one, because);
-        } catch (const KernelError&) {
-          continue;
+        const std::vector<Multiple> because(factor == 0 ? 0 : 1, {Theorem::assume(between), factor});
+        if (const auto holds = attempt([&] { return Theorem::combination(one, because); })) {
+          return holds;
         }
       }
       return std::nullopt;
@@ -126,14 +124,9 @@ class Orbit {
     }
   }
 
-  struct Named {
-    Variable variable;
-    Term value;
-  };
-
   [[nodiscard]] Substitution at_value() const { return {{phases_.omega(), phases_.question().data.omega}}; }
   void declare(const Variable& variable, const Term& value) {
-    named_.push_back({variable, value});
+    named_.emplace_back(variable, value);
     values_.emplace(variable, value);
   }
   [[nodiscard]] PhaseKind kind(std::size_t k) const { return phases_.question().phases.at(k); }
@@ -168,9 +161,9 @@ class Orbit {
   // The ranges of the numbers, to nine decimals; that each phase lasts, for one that lasts less than no time
   // would obey anything; what the durations sum up to; 0 < us < ur.
   void numbers() {
-    for (const Named& one : named_) {
-      if (one.variable.type == real_number) {
-        bound(one.variable);
+    for (const auto& [variable, value] : named_) {
+      if (variable.type == real_number) {
+        bound(variable);
       }
     }
     for (std::size_t k = 0; k < phases_.count(); ++k) {
@@ -193,8 +186,7 @@ class Orbit {
 
   // Decimals of nine places below and above.
   [[nodiscard]] std::pair<Term, Term> decimals(const Term& term) const {
-    mpz_class unit;
-    mpz_ui_pow_ui(unit.get_mpz_t(), 10, 9);
+    constexpr long unit = 1000000000;
     const Interval bounds = enclosure(term, ranges_, Rational(1, unit * 4));
     return {rounded_down(bounds.first, unit),
             Rational(rounded_down(bounds.second, unit) + Rational(1, unit))};
@@ -236,9 +228,7 @@ class Orbit {
     const Formula fits = equal(Names::state(k, end), Names::state(next(k), last ? Term(0) : end));
     std::vector<Multiple> because;
     for (std::size_t i = 0; i < 4; ++i) {
-      std::vector<Term> unit(4, 0);
-      unit[i] = 1;
-      because.push_back({equation(phases_, phases_.fitting(k) + i), matrix(4, 1, unit)});
+      because.push_back({equation(phases_, phases_.fitting(k) + i), unit(4, 1, i)});
     }
     say(fits, Theorem::combination(substitute(fits, values_), because));
     const Term r = names_.friction_at(k, end), ur = names_.ur();
@@ -257,25 +247,14 @@ class Orbit {
   }
 
   // there are …: all that is said, by the values.
-  [[nodiscard]] Theorem exists() const {
-    std::vector<Formula> steps{all(said_)};
-    for (auto one = named_.rbegin(); one != named_.rend(); ++one) {
-      steps.push_back(kernel::exists(one->variable, steps.back()));
-    }
-    Theorem theorem = both(proved_);
-    for (std::size_t bound = 1; bound <= named_.size(); ++bound) {
-      const Named& one = named_[named_.size() - bound];
-      theorem = Theorem::witness(theorem, substitute(steps[bound], values_), one.value);
-    }
-    return theorem;
-  }
+  [[nodiscard]] Theorem exists() const { return there_are(named_, all(said_), both(proved_)); }
 
   Phases phases_;
   Names names_;  // of the question that phases_ keeps
   std::optional<ClosedForm> known_ = {};
   Box box_;
   Ranges ranges_;
-  std::vector<Named> named_;
+  NamedValues named_;
   Substitution values_;
   std::vector<Formula> said_;
   std::vector<Theorem> proved_;

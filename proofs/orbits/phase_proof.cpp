@@ -62,11 +62,8 @@ Theorem PhaseProof::at_time(const Variable& s, const Variable& t, const Theorem&
                       if (!one.variables().contains(t)) {
                         return std::nullopt;
                       }
-                      try {
-                        return as(one, part(here, 0));
-                      } catch (const KernelError&) {
-                        return as(one, part(here, 1));
-                      }
+                      const auto after = attempt([&] { return as(one, part(here, 0)); });
+                      return after ? after : as(one, part(here, 1));
                     });
 }
 

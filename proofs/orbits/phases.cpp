@@ -68,6 +68,14 @@ Question question_of(const numeric::OrbitQuestion& question, const numeric::moti
   return result;
 }
 
+Term start_of(const Question& question, std::size_t k) {
+  Symbolic sum;
+  for (std::size_t i = 0; i < k; ++i) {
+    sum += Symbolic(Variable{question.durations.at(i)});
+  }
+  return sum.term;
+}
+
 Term value(const Wave& wave, const Term& t) {
   Symbolic sum = wave.constant + wave.slope * Symbolic(t);
   for (int k = 0; k < wave.count; ++k) {
@@ -105,17 +113,6 @@ Term Phases::time_lag(int turns) const {
 Term Phases::unknown(const std::string& name) {
   unknowns_.push_back({name, real_number});
   return unknowns_.back();
-}
-
-Term Phases::start(std::size_t k) const {
-  if (k == count()) {
-    return *period_;
-  }
-  Symbolic sum;
-  for (std::size_t i = 0; i < k; ++i) {
-    sum += Symbolic(durations_[i]);
-  }
-  return sum.term;
 }
 
 void Phases::add_phase(std::size_t k) {

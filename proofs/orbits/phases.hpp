@@ -38,6 +38,9 @@ struct Question {
 [[nodiscard]] Question question_of(const numeric::OrbitQuestion& question,
                                    const numeric::motion::Motion& nearly);
 
+// When phase k begins: the sum of the durations before it, by their names.
+[[nodiscard]] kernel::Term start_of(const Question& question, std::size_t k);
+
 // x1, x2 and the friction at rest r of (4) as functions of the time since a phase began.
 struct Waves {
   model::Wave<tactics::Symbolic> x1, x2, r;
@@ -58,8 +61,8 @@ class Phases {
   [[nodiscard]] std::size_t count() const { return question_.phases.size(); }
   [[nodiscard]] const std::vector<kernel::Variable>& unknowns() const { return unknowns_; }
   [[nodiscard]] const Waves& waves(std::size_t k) const { return waves_.at(k); }
-  // When a phase begins, and how long it lasts; count() is the end of the last.
-  [[nodiscard]] kernel::Term start(std::size_t k) const;
+  // When a phase begins, and how long it lasts.
+  [[nodiscard]] kernel::Term start(std::size_t k) const { return start_of(question_, k); }
   [[nodiscard]] const kernel::Term& duration(std::size_t k) const { return durations_.at(k); }
   [[nodiscard]] const kernel::Term& phi() const { return *phi_; }
   [[nodiscard]] const kernel::Variable& omega() const { return omega_; }

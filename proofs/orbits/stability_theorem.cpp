@@ -97,13 +97,11 @@ class Multipliers {
     std::vector<Formula> said;
     std::vector<Theorem> proved;
     Term named = 0;
-    std::vector<Variable> names;
-    Substitution values;
+    NamedValues values;
     for (std::size_t k = 0; k < count(); ++k) {
       const Variable Y{fmt::format("Y{}", k + 1), variation_type}, d{q_.durations.at(k)};
       const Term flow = flow_of(k);
-      names.push_back(Y);
-      values.emplace(Y, flow);
+      values.emplace_back(Y, flow);
       said.push_back(varies(k, Y));
       proved.push_back(varies_proved(k, flow));
       const Event event = event_after(k);
@@ -117,19 +115,11 @@ class Multipliers {
     }
     const Variable name{"M", real_matrix(matrix_rows, matrix_rows)};
     const Theorem verdict = judged(name, M.bounds);
-    names.push_back(name);
-    values.emplace(name, M.value);
+    values.emplace_back(name, M.value);
     said.insert(said.end(), {equal(name, named), verdict.conclusion()});
     proved.insert(proved.end(), {Theorem::reflexive(M.value),
                                  Theorem::cut(M.known, Theorem::instantiate(verdict, {{name, M.value}}))});
-    Theorem result = both(proved);
-    Formula whole = all(said);
-    for (auto one = names.rbegin(); one != names.rend(); ++one) {
-      whole = exists(*one, whole);
-      result = Theorem::witness(result, substitute(whole, values), values.at(*one));
-    }
-    result = settled(result, known_);
-    return with_zero(result, letters_, system_, box_);
+    return with_zero(settled(there_are(values, all(said), both(proved)), known_), letters_, system_, box_);
   }
 
  private:

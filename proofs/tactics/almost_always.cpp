@@ -67,33 +67,33 @@ Theorem but_finitely_often(const std::vector<Theorem>& premises, const Term& a, 
   return Theorem::finite_part(exceptions, Theorem::generalize(part, t));
 }
 
-Theorem but_finitely_often_within(const Theorem& premise, const Theorem& lower, const Theorem& upper) {
-  const Term a = lower.conclusion().parts().at(0), c = lower.conclusion().parts().at(1),
-             d = upper.conclusion().parts().at(0), b = upper.conclusion().parts().at(1);
-  const Variable t = fresh(real_number, {premise.conclusion(), a, b, c, d});
-  const Formula inside = between(c, t, d), usually = usual(premise.conclusion(), t);
+namespace {
+
+// finite t: c < t < d and not A(t), as c < t and t < d say with these bounds that t is in a longer interval
+// of which that is known.
+Theorem narrowed(const Theorem& longer, const Term& c, const Term& d, const Theorem& lower,
+                 const Theorem& upper) {
+  const Variable t = fresh(real_number, {longer.conclusion(), c, d});
+  const Formula inside = between(c, t, d), usually = usual(longer.conclusion(), t),
+                exception = opened(longer.conclusion(), t);
+  const std::vector<Term>& ends = exception.parts()[0].parts();
   const Theorem here = Theorem::assume(inside);
-  const Theorem wider = both({Theorem::order(less(a, t), {Positive{{part(here, 0)}}, Positive{{lower}}}),
-                              Theorem::order(less(t, b), {Positive{{part(here, 1)}}, Positive{{upper}}})});
-  const Theorem included = Theorem::consequence(
-      {Theorem::discharge(wider, inside)}, implies(kernel::all({inside, negation(usually)}),
-                                                   kernel::all({wider.conclusion(), negation(usually)})));
-  return Theorem::finite_part(premise, Theorem::generalize(included, t));
+  const Theorem wider = both({Theorem::order(ends.at(0), {Positive{{part(here, 0)}}, Positive{{lower}}}),
+                              Theorem::order(ends.at(1), {Positive{{part(here, 1)}}, Positive{{upper}}})});
+  const Theorem included = Theorem::consequence({Theorem::discharge(wider, inside)},
+                                                implies(kernel::all({inside, negation(usually)}), exception));
+  return Theorem::finite_part(longer, Theorem::generalize(included, t));
+}
+
+}  // namespace
+
+Theorem but_finitely_often_within(const Theorem& premise, const Theorem& lower, const Theorem& upper) {
+  return narrowed(premise, lower.conclusion().parts().at(1), upper.conclusion().parts().at(0), lower, upper);
 }
 
 Theorem but_finitely_often_later(const Theorem& premise, const Term& c, const Term& d, const Term& s,
                                  const Theorem& lower, const Theorem& upper) {
-  const Theorem moved = Theorem::finite_shift(premise, s);
-  const Variable t = fresh(real_number, {moved.conclusion(), c, d});
-  const Formula inside = between(c, t, d), exception = opened(moved.conclusion(), t);
-  const Theorem here = Theorem::assume(inside);
-  const Theorem then = both(
-      {Theorem::order(exception.parts().at(0).parts().at(0), {Positive{{part(here, 0)}}, Positive{{lower}}}),
-       Theorem::order(exception.parts().at(0).parts().at(1),
-                      {Positive{{part(here, 1)}}, Positive{{upper}}})});
-  const Theorem included = Theorem::consequence(
-      {Theorem::discharge(then, inside)}, implies(kernel::all({inside, exception.parts().at(1)}), exception));
-  return Theorem::finite_part(moved, Theorem::generalize(included, t));
+  return narrowed(Theorem::finite_shift(premise, s), c, d, lower, upper);
 }
 
 std::vector<std::vector<Formula>> alternatives(const Formula& formula) {
@@ -137,11 +137,7 @@ std::optional<Theorem> absurd(const std::vector<Theorem>& literals) {
       continue;  // 1 = 1
     }
   }
-  try {
-    return Theorem::consequence(known, any({}));
-  } catch (const KernelError&) {
-    return std::nullopt;
-  }
+  return attempt([&] { return Theorem::consequence(known, any({})); });
 }
 
 Theorem by_cases(const std::vector<Theorem>& premises, const Formula& goal, const InCase& derive) {

@@ -17,42 +17,17 @@ namespace {
 
 constexpr long bits = 256;
 
-// The first result that is no failure.
-template <class Attempt>
-std::optional<Theorem> where_it_works(const Attempt& attempt) {
-  try {
-    return attempt();
-  } catch (const KernelError&) {
-    return std::nullopt;
-  }
-}
-
-void collect_definitions(const Term& term, std::set<Term>& seen, Definitions& found) {
-  if (!seen.insert(term).second) {
-    return;
-  }
-  if (term.kind() == Kind::defined && found.insert(term.definition()).second) {
-    collect_definitions(term.definition().body(), seen, found);
-  }
-  for (const Term& part : term.parts()) {
-    collect_definitions(part, seen, found);
-  }
-}
-
 Theorem equation(const Formula& formula) {
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
   if (a == b) {
     return Theorem::reflexive(a);
   }
-  std::set<Term> seen;
-  Definitions all;
-  collect_definitions(formula, seen, all);
-  return without_hypotheses(Theorem::combination(formula, {}, all));
+  return without_hypotheses(Theorem::combination(formula, {}, definitions_in({formula})));
 }
 
 // a < b or a ≤ b, the latter also as a = b.
 Theorem inequality(const Formula& formula) {
-  if (const auto by_balls = where_it_works([&] { return Theorem::sign(formula, {}, bits); })) {
+  if (const auto by_balls = attempt([&] { return Theorem::sign(formula, {}, bits); })) {
     return *by_balls;
   }
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
@@ -69,20 +44,16 @@ Theorem difference(const Formula& formula) {
   if (type.is_scalar()) {
     return Theorem::sign(negation(formula), {}, bits);
   }
-  const auto unit = [](int rows, int columns, int which) {
-    std::vector<Term> entries(static_cast<std::size_t>(rows * columns), Term(0));
-    entries[static_cast<std::size_t>(which)] = 1;
-    return matrix(rows, columns, entries);
-  };
   const Variable A{"A", type}, B{"B", type};  // of any two: what a and b are made of need not be looked into
   for (int i = 0; i < type.rows; ++i) {
     for (int j = 0; j < type.columns; ++j) {
-      const auto found = where_it_works([&] {
+      const auto found = attempt([&] {
         const Theorem differs = Theorem::sign(negation(equal(entry(a, i, j), entry(b, i, j))), {}, bits);
         const Formula all = equal(A, B);
         const Theorem row =
             Theorem::combination(equal(entry(A, i, j), entry(B, i, j)),
-                                 {{Theorem::assume(all), unit(1, type.rows, i), unit(type.columns, 1, j)}});
+                                 {{Theorem::assume(all), unit(1, type.rows, static_cast<std::size_t>(i)),
+                                   unit(type.columns, 1, static_cast<std::size_t>(j))}});
         const Theorem here = Theorem::instantiate(Theorem::discharge(row, all), {{A, a}, {B, b}});
         return Theorem::consequence({here, differs}, negation(formula));
       });
@@ -111,7 +82,7 @@ Theorem of_all(const Formula& formula, Theorem (*one)(const Formula&), const For
 }
 Theorem of_one(const Formula& formula, Theorem (*one)(const Formula&), const Formula& conclusion) {
   for (const Formula& part : formula.parts()) {
-    if (const auto found = where_it_works([&] { return one(part); })) {
+    if (const auto found = attempt([&] { return one(part); })) {
       return Theorem::consequence({*found}, conclusion);
     }
   }

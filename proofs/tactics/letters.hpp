@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/monomials.hpp"
 #include "proofs/kernel/quotient.hpp"
 #include "proofs/kernel/term.hpp"
 
@@ -14,14 +15,6 @@ namespace stickslip::proofs::tactics {
 struct Fraction {
   Polynomial above, below;
 };
-
-struct Monomial {
-  std::vector<int> degrees;  // of the ring's generators
-  Rational coefficient;
-};
-// The terms of a polynomial, the leading one first; and the polynomial of such terms.
-[[nodiscard]] std::vector<Monomial> monomials(const Polynomial& polynomial);
-[[nodiscard]] Polynomial polynomial(const PolynomialRing& ring, const std::vector<Monomial>& monomials);
 
 // Every part of a term that is no sum, product, power or inverse of others is a letter: a generator of the
 // ring. What is found with letters is a proposal: the kernel decides.

@@ -1,5 +1,4 @@
-#include "proofs/tactics/signs.hpp"
-
+// What the domain says of a polynomial: its sign, and which divisors that leaves.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -13,6 +12,10 @@ namespace stickslip::proofs::tactics {
 namespace {
 
 using namespace kernel;
+
+// f ≠ 0: because the domain gives f a sign, or says so, or says it of a sine or cosine that vanishes with f;
+// else {f ≠ 0} ⊢ f ≠ 0.
+Theorem factor_differs(const Polynomial& factor, const Letters& letters, const Domain& domain);
 
 struct Bounds {
   std::optional<Theorem> lower, upper;  // l < x, x < u
@@ -105,11 +108,7 @@ std::optional<Theorem> signed_by_bounds(const Polynomial& factor, const Letters&
     positives.push_back(positive);
   }
   const Term term = letters.term(factor);
-  try {
-    return Theorem::order(sign > 0 ? less(0, term) : less(term, 0), positives);
-  } catch (const KernelError&) {
-    return std::nullopt;
-  }
+  return attempt([&] { return Theorem::order(sign > 0 ? less(0, term) : less(term, 0), positives); });
 }
 
 // a = b·f by normal form, where that is so nearly enough to be tried.
@@ -172,8 +171,6 @@ std::vector<Theorem> positive_factors(const Polynomial& factor, int exponent, co
   return std::vector<Theorem>(static_cast<std::size_t>(exponent / 2), square);
 }
 
-}  // namespace
-
 Theorem factor_differs(const Polynomial& factor, const Letters& letters, const Domain& domain) {
   if (const std::optional<Theorem> sign = signed_by_bounds(factor, letters, domain)) {
     return different(*sign);
@@ -193,6 +190,8 @@ Theorem factor_differs(const Polynomial& factor, const Letters& letters, const D
   }
   return Theorem::assume(wanted);
 }
+
+}  // namespace
 
 bool is_divisor(const Formula& hypothesis) {
   return hypothesis.kind() == Kind::negation && hypothesis.parts()[0].kind() == Kind::equal &&
@@ -272,14 +271,12 @@ bool has_sine(const Term& term) {
 
 // ⊢ d ≠ 0 where d m = 1 by normal form, as for a determinant with cos² + sin².
 std::optional<Theorem> is_invertible(const Term& divisor, const Term& multiplier) {
-  try {
+  return attempt([&] {
     const Formula zero = equal(divisor, 0);
     const Theorem absurd =
         Theorem::discharge(Theorem::combination(equal(1, 0), {{Theorem::assume(zero), multiplier}}), zero);
     return Theorem::consequence({absurd, different(Theorem::sign(less(0, 1)))}, negation(zero));
-  } catch (const KernelError&) {
-    return std::nullopt;
-  }
+  });
 }
 
 // {factors that may vanish ≠ 0} ⊢ d ≠ 0; nothing if that is d itself again.
@@ -292,10 +289,9 @@ std::optional<Theorem> divisor_differs(const Term& divisor, const Domain& domain
     }
   }
   if (divisor.variables().empty()) {  // 1 - cos(3*pi)
-    try {
-      return certainly(differ(divisor, 0));
-    } catch (const KernelError&) {  // it is zero, or too close to it
-    }
+    if (const auto lemma = attempt([&] { return certainly(differ(divisor, 0)); })) {
+      return lemma;
+    }  // it is zero, or too close to it
   }
   const Letters letters({divisor});
   const auto [top, bottom] = letters.fraction(divisor);
@@ -423,11 +419,10 @@ std::vector<Theorem> zeros_by_factors(const Term& d) {
        top.is_zero() ? std::vector<Polynomial>{} : factored(top, letters, 64).factors) {
     const Formula zero = equal(letters.term(factor), 0);
     const Term multiplier = letters.term(stickslip::quotient(top, factor)) / letters.term(bottom);
-    try {
-      const Theorem zero_too = Theorem::combination(equal(d, 0), {{Theorem::assume(zero), multiplier}});
-      result.push_back(Theorem::discharge(zero_too, zero));
-    } catch (const KernelError&) {
-      continue;
+    if (const auto zero_too = attempt([&] {
+          return Theorem::combination(equal(d, 0), {{Theorem::assume(zero), multiplier}});
+        })) {
+      result.push_back(Theorem::discharge(*zero_too, zero));
     }
   }
   return result;

@@ -15,6 +15,27 @@ Theorem below(const Variable& x, const Term& upper) {
   return Theorem::assume(less(x, upper));
 }
 
+Term unit(int rows, int columns, std::size_t place) {
+  std::vector<Term> entries(static_cast<std::size_t>(rows * columns), 0);
+  entries.at(place) = 1;
+  return matrix(rows, columns, entries);
+}
+
+Definitions definitions_in(std::vector<Term> terms) {
+  Definitions found;
+  while (!terms.empty()) {
+    std::vector<Term> bodies;
+    each_part(terms, [&](const Term& part) {
+      if (part.kind() == Kind::defined && found.insert(part.definition()).second) {
+        bodies.push_back(part.definition().body());
+      }
+      return true;
+    });
+    terms = bodies;
+  }
+  return found;
+}
+
 Theorem symmetric(const Theorem& equation) {
   const Term a = equation.conclusion().parts().at(0);
   const Variable x = fresh(a.type(), {equation.conclusion()});
@@ -187,13 +208,11 @@ std::optional<Theorem> flat_in_two_steps(const Term& value, const Theorem& rate,
   }
   const Term &flow_rate = value.parts()[0].parts()[0], &w = value.parts()[0].parts()[1],
              &flow = value.parts()[1].parts()[0], &w_rate = value.parts()[1].parts()[1];
-  try {
+  return attempt([&] {
     const Theorem backward = Theorem::combination(equal(flow_rate, -(flow * *A)), {}, unfolded);
     const Theorem forward = Theorem::combination(equal(w_rate, *A * w), {}, unfolded);
     return Theorem::combination(equal(value, zero(value.type())), {{backward, 1, w}, {forward, flow, 1}});
-  } catch (const KernelError&) {
-    return std::nullopt;
-  }
+  });
 }
 
 }  // namespace

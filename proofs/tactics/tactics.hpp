@@ -5,6 +5,7 @@
 #include <functional>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "proofs/kernel/theorem.hpp"
@@ -26,6 +27,28 @@ using Domain = std::vector<Theorem>;
 // {l < x} ⊢ l < x, and {x < u} ⊢ x < u.
 [[nodiscard]] Theorem above(const Term& lower, const Variable& x);
 [[nodiscard]] Theorem below(const Variable& x, const Term& upper);
+
+// ---- Terms
+// The terms and the parts of their parts, each once, a whole before its parts: these only where `visit` says
+// true of the whole.
+template <class Visit>
+void each_part(const std::vector<Term>& terms, const Visit& visit) {
+  std::set<Term> seen;
+  const auto look_at = [&](const auto& self, const Term& term) -> void {
+    if (seen.insert(term).second && visit(term)) {
+      for (const Term& part : term.parts()) {
+        self(self, part);
+      }
+    }
+  };
+  for (const Term& term : terms) {
+    look_at(look_at, term);
+  }
+}
+// A matrix of zeros with a one, at that place row by row.
+[[nodiscard]] Term unit(int rows, int columns, std::size_t place);
+// All definitions applied in the terms, and in the bodies of these.
+[[nodiscard]] Definitions definitions_in(std::vector<Term> terms);
 
 // ---- Searches
 // What the work makes; nothing where it throws KernelError.

@@ -1,13 +1,12 @@
-#include "symbolic/typeset/atoms.hpp"
+#include "symbolic/typeset/polynomial.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 
 #include "core/error.hpp"
-#include "symbolic/typeset/formula.hpp"
+#include "symbolic/algebra/evaluate.hpp"
 #include "symbolic/typeset/names.hpp"
 
 namespace stickslip::symbolic::typeset {
@@ -18,10 +17,8 @@ using GiNaC::numeric;
 namespace {
 
 [[noreturn]] void cannot_print(const ex& part) {
-  std::ostringstream text;
-  text << part;
   throw InternalError(
-      fmt::format("a formula to be printed holds {}, which is not exact and scalar", text.str()));
+      fmt::format("a formula to be printed holds {}, which is not exact and scalar", algebra::plain(part)));
 }
 
 struct Argument {
@@ -30,28 +27,15 @@ struct Argument {
 };
 
 // A term of an argument: rational coefficient, exponents of any sign.
-using Laurent = Term;
-
-Fraction to_fraction(const Laurent& term, const Alphabet& alphabet) {
-  Fraction result{term.coefficient.is_negative(),
-                  {abs(term.coefficient).numer(), {}},
-                  {abs(term.coefficient).denom(), {}}};
-  for (std::size_t i = 0; i < term.degrees.size(); ++i) {
-    if (term.degrees[i] != 0) {
-      Product& side = term.degrees[i] > 0 ? result.numerator : result.denominator;
-      side.powers.push_back({alphabet.atoms[i], {}, std::abs(term.degrees[i])});
-    }
-  }
-  return result;
-}
+using Laurent = Monomial;
 
 // The part of a term that members of a group share: the frequency, and the rational coefficient if all agree.
 Fraction to_group(std::vector<Laurent> members, std::size_t frequency, const Alphabet& alphabet) {
-  const numeric first = members[0].coefficient;
+  const Rational first = members[0].coefficient;
   const bool agree = std::all_of(members.begin(), members.end(), [&](const Laurent& member) {
-    return abs(member.coefficient).is_equal(abs(first));
+    return abs(member.coefficient) == abs(first);
   });
-  const numeric common = (agree ? abs(first) : numeric(1)) * first.csgn();
+  const Rational common = agree ? first : Rational(sgn(first));
   Laurent factor{Degrees(alphabet.atoms.size()), common};
   factor.degrees[frequency] = 1;
   Power inner;
@@ -100,7 +84,7 @@ Argument arrange_argument(const ex& argument) {
     const bool negative = std::exchange(whole.negative, false);
     return {{std::move(whole)}, negative};
   }
-  const bool negative = (terms[0].coefficient / below[0].coefficient).is_negative();
+  const bool negative = terms[0].coefficient / below[0].coefficient < 0;
   for (Laurent& term : terms) {
     term.coefficient /= below[0].coefficient * (negative ? -1 : 1);
     std::transform(term.degrees.begin(), term.degrees.end(), below[0].degrees.begin(), term.degrees.begin(),
@@ -131,14 +115,9 @@ struct Rationalizer : GiNaC::map_function {
     if (!GiNaC::is_a<GiNaC::function>(evaluated)) {
       return (*this)(evaluated);  // a number, or the sign came out
     }
-    const ex argument = evaluated.op(0);
     const std::string name = GiNaC::ex_to<GiNaC::function>(evaluated).get_name();
-    Argument arranged = arrange_argument(argument);
-    const ex positive = arranged.negative ? ex(-argument) : argument;
-    const ex atom = variable({Atom::Kind::trigonometric,
-                              name,
-                              {std::move(arranged.terms)},
-                              rebuilt(GiNaC::ex_to<GiNaC::function>(evaluated), positive)});
+    Argument arranged = arrange_argument(evaluated.op(0));
+    const ex atom = variable({Atom::Kind::trigonometric, name, {std::move(arranged.terms)}});
     return arranged.negative && name != "cos" ? ex(-atom) : atom;
   }
 
@@ -152,7 +131,7 @@ struct Rationalizer : GiNaC::map_function {
     if (name == "cos" || name == "sin" || name == "tan") {
       return trigonometric(e);
     }
-    Atom atom{Atom::Kind::function, name, {}, e};
+    Atom atom{Atom::Kind::function, name, {}};
     for (const ex& argument : e) {
       Fraction arranged = arrange(argument);
       arranged.negative = arranged.negative && name != "abs";
@@ -169,8 +148,7 @@ struct Rationalizer : GiNaC::map_function {
     if (exponent.is_integer()) {
       return pow((*this)(e.op(0)), exponent);
     }
-    const ex root = pow(e.op(0), 1 / exponent.denom());
-    Atom atom{Atom::Kind::function, "root", {}, root};
+    Atom atom{Atom::Kind::function, "root", {}};
     atom.arguments.push_back({without_leading_minus(arrange(e.op(0)))});
     atom.arguments.push_back({arrange(exponent.denom())});
     return pow(variable(std::move(atom)), exponent.numer());
@@ -181,10 +159,10 @@ struct Rationalizer : GiNaC::map_function {
       return e;
     }
     if (GiNaC::is_a<GiNaC::symbol>(e) && e.return_type() == GiNaC::return_types::commutative) {
-      return variable({Atom::Kind::symbol, GiNaC::ex_to<GiNaC::symbol>(e).get_name(), {}, e});
+      return variable({Atom::Kind::symbol, GiNaC::ex_to<GiNaC::symbol>(e).get_name(), {}});
     }
     if (e.is_equal(GiNaC::Pi)) {
-      return variable({Atom::Kind::pi, "pi", {}, e});
+      return variable({Atom::Kind::pi, "pi", {}});
     }
     if (GiNaC::is_a<GiNaC::function>(e)) {
       return function(GiNaC::ex_to<GiNaC::function>(e));

@@ -4,12 +4,10 @@
 
 namespace stickslip::symbolic::typeset {
 
-using GiNaC::numeric;
-
 namespace {
 
 bool is_zero(const Fraction& fraction) {
-  return fraction.numerator.coefficient.is_zero();
+  return fraction.numerator.coefficient == 0;
 }
 
 std::vector<Power>::iterator find_base(std::vector<Power>& powers, const Power& wanted) {

@@ -2,39 +2,25 @@
 
 #include <algorithm>
 
-#include "symbolic/typeset/atoms.hpp"
 #include "symbolic/typeset/names.hpp"
 #include "symbolic/typeset/polynomial.hpp"
 
 namespace stickslip::symbolic::typeset {
 
 using GiNaC::ex;
-using GiNaC::numeric;
 
 bool Product::is_one() const {
-  return coefficient.is_equal(1) && powers.empty();
+  return coefficient == 1 && powers.empty();
 }
 
 namespace {
 
 struct Signed {
-  numeric unit;  // rational, of any sign
+  Rational unit;  // of any sign
   std::vector<Power> powers;
 };
 
 Signed factored(const Polynomial& polynomial, const Alphabet& alphabet);
-
-void append_atoms(const Degrees& degrees, const Alphabet& alphabet, std::vector<Power>& powers) {
-  for (std::size_t i = 0; i < degrees.size(); ++i) {
-    if (degrees[i] > 0) {
-      powers.push_back({alphabet.atoms[i], {}, degrees[i]});
-    }
-  }
-}
-
-Fraction integer_term(const numeric& coefficient, std::vector<Power> powers) {
-  return {coefficient.is_negative(), {abs(coefficient), std::move(powers)}, {}};
-}
 
 void negate(Sum& sum) {
   for (Fraction& term : sum) {
@@ -50,7 +36,7 @@ void put_positive_first(Sum& sum) {
 }
 
 bool is_lone_sum(const Product& product) {
-  return product.coefficient.is_equal(1) && product.powers.size() == 1 && !product.powers[0].sum.empty() &&
+  return product.coefficient == 1 && product.powers.size() == 1 && !product.powers[0].sum.empty() &&
          product.powers[0].exponent == 1;
 }
 
@@ -92,16 +78,15 @@ Sum terms(const Polynomial& polynomial, const Alphabet& alphabet) {
   for (const auto& [degrees, coefficient] : collect_trigonometric(polynomial, alphabet)) {
     const bool constant = std::all_of(degrees.begin(), degrees.end(), [](int d) { return d == 0; });
     if (constant && coefficient.size() == polynomial.size()) {  // no cos, sin, tan at all
-      for (const Term& term : polynomial) {
-        std::vector<Power> powers;
-        append_atoms(term.degrees, alphabet, powers);
-        result.push_back(integer_term(term.coefficient, std::move(powers)));
+      for (const Monomial& term : polynomial) {
+        result.push_back(to_fraction(term, alphabet));
       }
       return result;
     }
     Signed product = factored(coefficient, alphabet);
-    append_atoms(degrees, alphabet, product.powers);
-    Fraction term = integer_term(product.unit, std::move(product.powers));
+    const Fraction waves = to_fraction({degrees, 1}, alphabet);
+    product.powers.insert(product.powers.end(), waves.numerator.powers.begin(), waves.numerator.powers.end());
+    Fraction term = times(product.unit, std::move(product.powers));
     if (constant && is_lone_sum(term.numerator)) {
       Sum last = std::move(term.numerator.powers[0].sum);
       if (term.negative) {
@@ -117,8 +102,7 @@ Sum terms(const Polynomial& polynomial, const Alphabet& alphabet) {
 
 Signed factored(const Polynomial& polynomial, const Alphabet& alphabet) {
   const Factors factors = factorise(polynomial, alphabet);
-  Signed result{factors.unit, {}};
-  append_atoms(factors.monomial, alphabet, result.powers);
+  Signed result{factors.unit, to_fraction({factors.monomial, 1}, alphabet).numerator.powers};
   for (const auto& [factor, exponent] : factors.sums) {
     Sum sum = terms(factor, alphabet);
     if (is_better_negated(sum)) {
@@ -150,26 +134,11 @@ bool turn_last(Product& product, bool with_number) {
   return true;
 }
 
-ex value(const Power& power) {
-  if (power.sum.empty()) {
-    return pow(power.atom.value, power.exponent);
-  }
-  ex sum = 0;
-  for (const Fraction& term : power.sum) {
-    sum += value(term);
-  }
-  return pow(sum, power.exponent);
-}
-
-ex value(const Product& product) {
-  ex result = product.coefficient;
-  for (const Power& power : product.powers) {
-    result *= value(power);
-  }
-  return result;
-}
-
 }  // namespace
+
+Fraction times(const Rational& factor, std::vector<Power> above, std::vector<Power> below) {
+  return {factor < 0, {abs(factor.get_num()), std::move(above)}, {factor.get_den(), std::move(below)}};
+}
 
 Fraction arrange(const ex& expression) {
   const auto [rational, alphabet] = rationalize(expression);
@@ -180,10 +149,7 @@ Fraction arrange(const ex& expression) {
   }
   Signed above = factored(numerator, alphabet);
   Signed below = factored(to_polynomial(parts.op(1), alphabet), alphabet);
-  const numeric unit = above.unit / below.unit;
-  return {unit.is_negative(),
-          {abs(unit).numer(), std::move(above.powers)},
-          {abs(unit).denom(), std::move(below.powers)}};
+  return times(above.unit / below.unit, std::move(above.powers), std::move(below.powers));
 }
 
 Fraction without_leading_minus(Fraction fraction) {
@@ -192,7 +158,7 @@ Fraction without_leading_minus(Fraction fraction) {
   }
   Product& above = fraction.numerator;
   Product& below = fraction.denominator;
-  const bool whole = below.coefficient.is_equal(1) && below.powers.empty();
+  const bool whole = below.coefficient == 1 && below.powers.empty();
   if (turn_last(below, false) || turn_last(above, false) || turn_last(above, true)) {
     fraction.negative = false;
   } else if (whole && is_lone_sum(above)) {
@@ -203,29 +169,19 @@ Fraction without_leading_minus(Fraction fraction) {
   return fraction;
 }
 
-ex value(const Fraction& fraction) {
-  const ex size = value(fraction.numerator) / value(fraction.denominator);
-  return fraction.negative ? ex(-size) : size;
-}
-
 namespace {
 
-std::strong_ordering compare(const GiNaC::numeric& a, const GiNaC::numeric& b) {
-  return a.compare(b) <=> 0;
+template <class Parts, class Compare>
+std::strong_ordering one_by_one(const Parts& a, const Parts& b, const Compare& compare) {
+  return std::lexicographical_compare_three_way(a.begin(), a.end(), b.begin(), b.end(), compare);
 }
 
 std::strong_ordering compare(const Product& a, const Product& b) {
-  const std::size_t size = std::min(a.powers.size(), b.powers.size());
-  for (std::size_t i = 0; i < size; ++i) {
-    if (const auto order = compare_bases(a.powers[i], b.powers[i]); std::is_neq(order)) {
-      return order;
-    }
-    if (const auto order = b.powers[i].exponent <=> a.powers[i].exponent; std::is_neq(order)) {
-      return order;
-    }
-  }
-  const auto order = a.powers.size() <=> b.powers.size();
-  return std::is_neq(order) ? order : compare(a.coefficient, b.coefficient);
+  const auto order = one_by_one(a.powers, b.powers, [](const Power& x, const Power& y) {
+    const auto bases = compare_bases(x, y);
+    return std::is_neq(bases) ? bases : y.exponent <=> x.exponent;
+  });
+  return std::is_neq(order) ? order : cmp(a.coefficient, b.coefficient) <=> 0;
 }
 
 std::strong_ordering compare(const Fraction& a, const Fraction& b) {
@@ -254,24 +210,13 @@ int place(const Power& power) {
   return trigonometric ? 2 : 1;
 }
 
-std::strong_ordering compare_arguments(const Atom& a, const Atom& b) {
-  return std::lexicographical_compare_three_way(a.arguments.begin(), a.arguments.end(), b.arguments.begin(),
-                                                b.arguments.end(),
-                                                [](const Sum& x, const Sum& y) { return compare(x, y); });
-}
-
 }  // namespace
 
 std::strong_ordering compare(const Sum& a, const Sum& b) {
-  if (const auto order = a.size() <=> b.size(); std::is_neq(order)) {
-    return order;
-  }
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (const auto order = compare(a[i], b[i]); std::is_neq(order)) {
-      return order;
-    }
-  }
-  return std::strong_ordering::equal;
+  const auto order = a.size() <=> b.size();
+  return std::is_neq(order)
+             ? order
+             : one_by_one(a, b, [](const Fraction& x, const Fraction& y) { return compare(x, y); });
 }
 
 std::strong_ordering compare(const Atom& a, const Atom& b) {
@@ -282,7 +227,8 @@ std::strong_ordering compare(const Atom& a, const Atom& b) {
     return compare_names(a.name, b.name);
   }
   const auto by_name = a.name <=> b.name;
-  const auto by_arguments = compare_arguments(a, b);
+  const auto by_arguments =
+      one_by_one(a.arguments, b.arguments, [](const Sum& x, const Sum& y) { return compare(x, y); });
   if (a.kind == Atom::Kind::trigonometric) {
     return std::is_neq(by_arguments) ? by_arguments : by_name;
   }

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "core/rational.hpp"
 #include "symbolic/algebra/symbols.hpp"
 
 namespace stickslip::symbolic::typeset {
@@ -24,7 +25,7 @@ struct Power;
 
 // coefficient · Π powers; coefficient is an integer ≥ 0.
 struct Product {
-  GiNaC::numeric coefficient = 1;
+  mpz_class coefficient = 1;
   std::vector<Power> powers;
 
   [[nodiscard]] bool is_one() const;
@@ -47,7 +48,6 @@ struct Atom {
   Kind kind = Kind::symbol;
   std::string name;  // "pi", the symbol's, the function's, or "root" with the arguments radicand and degree
   std::vector<Sum> arguments;
-  GiNaC::ex value;
 };
 
 // atom^exponent or, if sum is not empty, sum^exponent; exponent ≥ 1.
@@ -56,6 +56,9 @@ struct Power {
   Sum sum;
   int exponent = 1;
 };
+
+// A rational number times these above those.
+[[nodiscard]] Fraction times(const Rational& factor, std::vector<Power> above, std::vector<Power> below = {});
 
 // The canonical layout: equal for expressions that are equal as rational functions of the symbols (by name),
 // π and the functions. Throws InternalError for floating or complex numbers, symbolic exponents and anything
@@ -75,9 +78,6 @@ struct Common {
   std::vector<Fraction> rest;
 };
 [[nodiscard]] Common take_common_factor(std::vector<Fraction> entries);
-
-// The layout as an expression again.
-[[nodiscard]] GiNaC::ex value(const Fraction& fraction);
 
 // The order in which the parts of a formula are written (formula.hpp).
 

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 
 #include "symbolic/typeset/formula.hpp"
 
 namespace stickslip::symbolic::typeset {
 
 using GiNaC::ex;
-using GiNaC::numeric;
 
 namespace {
 
@@ -25,7 +23,7 @@ bool is_sum(const Power& power) {
 }
 
 bool is_single(const Product& product) {
-  return product.powers.size() + (product.coefficient.is_equal(1) ? 0 : 1) <= 1;
+  return product.powers.size() + (product.coefficient == 1 ? 0 : 1) <= 1;
 }
 
 // Made of numbers and symbols only.
@@ -33,12 +31,6 @@ bool is_plain(const Product& product) {
   return std::all_of(product.powers.begin(), product.powers.end(), [](const Power& power) {
     return !is_sum(power) && (power.atom.kind == Atom::Kind::symbol || power.atom.kind == Atom::Kind::pi);
   });
-}
-
-std::string to_string(const numeric& integer) {
-  std::ostringstream out;
-  out << integer;
-  return out.str();
 }
 
 // TeX reads \tau T, not \tauT; 2 t is written 2t.
@@ -73,14 +65,14 @@ class Printer {
 
   // A product where a sum needs no parentheses.
   [[nodiscard]] std::string bare(const Product& p, Place place) const {
-    const bool lone = p.coefficient.is_equal(1) && p.powers.size() == 1 && p.powers[0].exponent == 1;
+    const bool lone = p.coefficient == 1 && p.powers.size() == 1 && p.powers[0].exponent == 1;
     return lone && is_sum(p.powers[0]) ? sum(p.powers[0].sum, place) : product(p, place);
   }
 
   [[nodiscard]] std::string product(const Product& p, Place place) const {
     std::string result;
-    if (!p.coefficient.is_equal(1) || p.powers.empty()) {
-      result = to_string(p.coefficient);
+    if (p.coefficient != 1 || p.powers.empty()) {
+      result = p.coefficient.get_str();
     }
     for (const Power& factor : p.powers) {
       const std::string next = power(factor, place);

@@ -5,6 +5,7 @@
 #include <map>
 #include <regex>
 #include <string_view>
+#include <tuple>
 
 namespace stickslip::symbolic::typeset {
 namespace {
@@ -92,21 +93,12 @@ std::string latex_name(const std::string& plain) {
 }
 
 std::strong_ordering compare_names(const std::string& a, const std::string& b) {
-  const Name& left = parse(a);
-  const Name& right = parse(b);
-  if (const auto order = rank(left) <=> rank(right); std::is_neq(order)) {
-    return order;
-  }
-  if (const auto order = left.letter <=> right.letter; std::is_neq(order)) {
-    return order;
-  }
-  if (const auto order = left.accent <=> right.accent; std::is_neq(order)) {
-    return order;
-  }
-  if (const auto order = left.subscript.size() <=> right.subscript.size(); std::is_neq(order)) {
-    return order;
-  }
-  return a <=> b;
+  const auto key = [](const std::string& plain) {
+    const Name& name = parse(plain);
+    return std::tuple(rank(name), std::string_view(name.letter), std::string_view(name.accent),
+                      name.subscript.size(), std::string_view(plain));
+  };
+  return key(a) <=> key(b);
 }
 
 bool names_frequency(const std::string& plain) {

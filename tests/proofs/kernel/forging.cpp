@@ -32,6 +32,7 @@ const Formula claimed = any({});
 #ifdef FORGE
 // clang-format off
 const Theorem by_constructor(Step{.rule = "oracle"}, {}, claimed);           // error: private
+const Theorem by_step(Step{.rule = "oracle"}, claimed);                      // error: private
 const Theorem of_nothing;                                                    // error: no matching
 const Theorem of_sequent = Sequent{{}, claimed};                             // error: conver|no viable
 const Theorem by_braces = {Step{.rule = "oracle"}, Formulas{}, claimed};     // error: private

@@ -9,7 +9,6 @@
 
 #include "core/error.hpp"
 #include "model/flows.hpp"
-#include "symbolic/typeset/formula.hpp"
 
 using namespace stickslip;
 using namespace stickslip::symbolic::typeset;
@@ -249,13 +248,12 @@ TEST_CASE("plain text") {
   CHECK(text(Pi / s("omega") / 2) == "pi/(2*omega)");
 }
 
-TEST_CASE("random expressions: the layout and the text are equal to what was laid out") {
+TEST_CASE("random expressions: the text of the layout is equal to what was laid out") {
   for (unsigned seed = 0; seed < 150; ++seed) {
     CAPTURE(seed);
     const ex e = random_expression(seed, s);
     const std::string printed = text(e);
     CAPTURE(printed);
-    CHECK((value(arrange(e)) - e).normal().is_zero());
     CHECK((s.parse(printed) - e).normal().is_zero());
     CHECK(text(s.parse(printed)) == printed);
     CHECK(latex(e.expand()) == latex(e));
