@@ -89,8 +89,7 @@ MachineWord question_for(const GivenInTables& given, const std::string& text, co
 }
 
 struct AlongPath {
-  std::string path;
-  Rational from, to;
+  report::machines::Varied varied;  // without a start
   std::function<Machine(const Rational&)> at;
 };
 
@@ -104,7 +103,9 @@ AlongPath along_path(const GivenInTables& given, const Ranges& along) {
   }
   const std::string& path = along.front().first;
   const auto [from, to] = interval(path, along.front().second);
-  return {path, from, to, [with = given.with, path](const Rational& value) { return with({{path, value}}); }};
+  return {{path, from, to, {}}, [with = given.with, path](const Rational& value) {
+            return with({{path, value}});
+          }};
 }
 
 // Where motions are looked for: at what the file says, or in the middle where that is not in the interval.
@@ -133,6 +134,11 @@ std::vector<std::size_t> wanted(const MachineWordOrbits& found, const BranchOpti
 
 report::machines::Origin origin(const GivenInTables& given) {
   return {given.file, given.read.in_SI, given.options};
+}
+
+report::machines::FromOrbits from_orbits(const GivenInTables& given, const MachineWordOrbits& found,
+                                         const BranchOptions& o) {
+  return {found.question, origin(given), o.orbit, o.all, found.seen, found.interrupted};
 }
 
 void surround(MachineOrbit& orbit, const Machine& machine) {
@@ -255,25 +261,26 @@ MachineStarts starts_of(const GivenInTables& given, const AttractorsOptions& o, 
 }  // namespace
 
 report::machines::Attractors answer(const GivenInTables& given, const AttractorsOptions& o) {
-  MachineAttractors list = find_attractors(starts_of(given, o, AttractorsOptions::default_starts));
+  report::machines::Attractors list{find_attractors(starts_of(given, o, AttractorsOptions::default_starts)),
+                                    origin(given)};
   for (MachineAttractor& a : list.attractors) {
     if (o.neighbourhood && a.orbit) {
       surround(*a.orbit, given.read.machine);
     }
   }
-  return {list, origin(given)};
+  return list;
 }
 
 report::machines::Diagram diagram_answer(const GivenInTables& given, const AttractorsOptions& o) {
   MachineDiagram diagram;
   diagram.question = starts_of(given, o, AttractorsOptions::default_starts_at_value);
-  const auto [path, from, to, at] = along_path(given, o.along);
-  (void)given.value(path);
+  const auto [varied, at] = along_path(given, o.along);
+  (void)given.value(varied.path);
   diagram.at = at;
-  diagram.from = from;
-  diagram.to = to;
+  diagram.from = varied.from;
+  diagram.to = varied.to;
   diagram.values = values_of(o);
-  return {along(std::move(diagram)), path, origin(given)};
+  return {along(std::move(diagram)), varied.path, origin(given)};
 }
 
 report::machines::Basins basins_answer(const GivenInTables& given, const AttractorsOptions& o) {
@@ -301,13 +308,13 @@ report::machines::WordOrbits answer(const GivenInTables& given, const OrbitsOpti
   MachineWord q = question_for(given, o.family, "orbits", o.period, o.near);
   refuse_others(o, given.file, false, {"--cells", "--time", "--certify", "--all", "--plot"});
   q.digits = o.digits.value_or(OrbitsOptions::default_digits);
-  MachineWordOrbits list = find_word_orbits(q);
+  report::machines::WordOrbits list{find_word_orbits(q), origin(given)};
   for (MachineOrbit& orbit : list.orbits) {
     if (o.neighbourhood) {
       surround(orbit, given.read.machine);
     }
   }
-  return {list, origin(given)};
+  return list;
 }
 
 namespace {
@@ -331,8 +338,8 @@ report::machines::Steady steady_answer(const GivenInTables& given, const OrbitsO
       o, given.file, false,
       {"--period", "--near", "--cells", "--time", "--certify", "--plot", "--out", "--neighbourhood"});
   const int digits = o.digits.value_or(OrbitsOptions::default_digits);
-  report::machines::Steady result{given.read.machine, steady_sliding(given.read.machine, digits), digits,
-                                  origin(given)};
+  report::machines::Steady result{
+      {given.read.machine, digits}, steady_sliding(given.read.machine, digits), origin(given)};
   if (o.basin) {
     const Rectangle starts = rectangle(*o.basin);
     result.basin = {starts, planar_basin(given.read.machine, starts, digits)};
@@ -344,10 +351,11 @@ report::machines::SteadyBranch steady_answer(const GivenInTables& given, const B
   refuse_others(
       o, given.file, false,
       {"--period", "--near", "--orbit", "--at", "--without-gaps", "--parts", "--csv", "--plot", "--out"});
-  const auto [path, from, to, at] = along_path(given, o.along);
+  const auto [varied, at] = along_path(given, o.along);
+  const auto& [path, from, to, start] = varied;
   const int digits = OrbitsOptions::default_digits;
   report::machines::SteadyBranch result{
-      given.read.machine, path, from, to, steady_sliding_along(at, from, to, digits), digits, origin(given)};
+      {given.read.machine, digits}, varied, steady_sliding_along(at, from, to, digits), origin(given)};
   if (o.basin) {
     const Rectangle starts = rectangle(*o.basin);
     result.basins = {starts, planar_basin_along(at, from, to, starts, digits)};
@@ -357,9 +365,9 @@ report::machines::SteadyBranch steady_answer(const GivenInTables& given, const B
 
 report::machines::Branches answer(const GivenInTables& given, const BranchOptions& o) {
   require_no_basin(o.basin);
-  const auto [path, from, to, at] = along_path(given, o.along);
-  const Rational in_file = start_in(given, path, from, to);
-  const Rational start = o.at.value_or(in_file);
+  auto [varied, at] = along_path(given, o.along);
+  auto& [path, from, to, start] = varied;
+  start = o.at.value_or(start_in(given, path, from, to));
   if (start < from || start > to) {
     throw UsageError(fmt::format("at: {} = {} is not in the interval {}..{}", path, to_string(start),
                                  to_string(from), to_string(to)));
@@ -371,18 +379,7 @@ report::machines::Branches answer(const GivenInTables& given, const BranchOption
   }
   q.machine = at(start);
   const MachineWordOrbits found = find_word_orbits(q);
-  report::machines::Branches result{q,
-                                    path,
-                                    from,
-                                    to,
-                                    start,
-                                    o.orbit,
-                                    o.all,
-                                    o.without_gaps,
-                                    {},
-                                    found.seen,
-                                    found.interrupted,
-                                    origin(given)};
+  report::machines::Branches result{from_orbits(given, found, o), varied, o.without_gaps};
   for (const std::size_t k : wanted(found, o, path + " = " + to_string(start))) {
     result.branches.push_back(follow_machine_branch(
         {at, from, to, start, guess_of(found.orbits[k], q.machine), q.digits, o.without_gaps}));
@@ -393,7 +390,8 @@ report::machines::Branches answer(const GivenInTables& given, const BranchOption
 
 report::machines::OverBox box_answer(const GivenInTables& given, const BranchOptions& o) {
   require_no_basin(o.basin);
-  report::machines::OverBox result{.question = question_for(given, o.family, "branch", o.period, o.near)};
+  MachineWord q = question_for(given, o.family, "branch", o.period, o.near);
+  std::vector<report::machines::Varied> varied;
   DataBox box;
   Values start;
   for (const auto& [path, range] : o.along) {
@@ -402,15 +400,15 @@ report::machines::OverBox box_answer(const GivenInTables& given, const BranchOpt
       throw UsageError(fmt::format("{}: {} and {} vary together: give one of them", given.file, name, name));
     }
     const auto [from, to] = interval(path, range);
-    result.data.push_back({path, from, to, start_in(given, path, from, to)});
+    varied.push_back({path, from, to, start_in(given, path, from, to)});
     box.low.push_back(from);
     box.high.push_back(to);
-    start.push_back(result.data.back().start);
+    start.push_back(varied.back().start);
   }
   box.at = [&](const Values& values) {
     std::vector<Datum> data;
     for (std::size_t k = 0; k < values.size(); ++k) {
-      data.push_back({result.data[k].path, values[k]});
+      data.push_back({varied[k].path, values[k]});
     }
     return given.with(data);
   };
@@ -418,28 +416,25 @@ report::machines::OverBox box_answer(const GivenInTables& given, const BranchOpt
   if (o.at) {
     throw UsageError("--at is for one --along: of several the orbits are looked for at what is given");
   }
-  result.orbit = o.orbit;
-  result.all = o.all;
-  result.most_parts = o.parts.value_or(BranchOptions::default_parts);
-  result.origin = origin(given);
-  result.question.machine = box.at(start);
-  const MachineWordOrbits found = find_word_orbits(result.question);
-  result.seen = found.seen;
+  q.machine = box.at(start);
+  const MachineWordOrbits found = find_word_orbits(q);
+  report::machines::OverBox result{from_orbits(given, found, o), varied,
+                                   o.parts.value_or(BranchOptions::default_parts)};
   constexpr int most_halvings = 40;
   for (const std::size_t k : wanted(found, o, "the file's data")) {
-    const MotionAt motion{start, guess_of(found.orbits[k], result.question.machine)};
+    const MotionAt motion{start, guess_of(found.orbits[k], q.machine)};
     result.motions.push_back(
         {found.orbits[k],
          motions_over(box, {motion}, {.most_halvings = most_halvings, .most_parts = result.most_parts})});
   }
-  result.interrupted = found.interrupted || interrupted();
+  result.interrupted = result.interrupted || interrupted();
   return result;
 }
 
 namespace {
 
 // The start, the load's phase there and the duration.
-report::machines::Motion start_of(const GivenInTables& given, const SimulateOptions& o) {
+report::machines::MotionQuestion start_of(const GivenInTables& given, const SimulateOptions& o) {
   refuse_others(o, given.file, true, {"--orbit", "--plot"});
   if (!o.state) {
     throw UsageError(
@@ -447,9 +442,7 @@ report::machines::Motion start_of(const GivenInTables& given, const SimulateOpti
                     "velocities",
                     given.file));
   }
-  report::machines::Motion result;
-  result.machine = given.read.machine;
-  result.origin = origin(given);
+  report::machines::MotionQuestion result{given.read.machine};
   const auto oscillator = oscillator_as<double>(result.machine);
   const bool autonomous = oscillator.is_autonomous();
   result.start = state_for(given, "state", *o.state);
@@ -482,24 +475,24 @@ report::machines::SetMotion set_answer(const GivenInTables& given, const Simulat
       throw UsageError(fmt::format("{} is for one motion, not for a set of them", name));
     }
   }
-  const report::machines::Motion one = start_of(given, o);
+  const report::machines::MotionQuestion one = start_of(given, o);
   const AnyState half = state_for(given, "set", *o.set);
-  return {set_after({one.machine, one.start, half, one.theta, one.duration}), one.origin};
+  return {set_after({one.machine, one.start, half, one.theta, one.duration}), origin(given)};
 }
 
 report::machines::Motion answer(const GivenInTables& given, const SimulateOptions& o,
                                 const std::function<bool(double)>& go_on,
                                 const std::function<void(const SampleOfMachine&)>& take) {
-  report::machines::Motion result = start_of(given, o);
-  const auto oscillator = oscillator_as<double>(result.machine);
+  report::machines::MotionQuestion q = start_of(given, o);
+  const auto oscillator = oscillator_as<double>(q.machine);
   if (take) {
     const double period =
-        oscillator.is_autonomous() ? result.duration : 2 * numeric::scalars::pi<double>() / oscillator.omega;
-    result.every = o.every.value_or(period / SimulateOptions::samples_in_period);
+        oscillator.is_autonomous() ? q.duration : 2 * numeric::scalars::pi<double>() / oscillator.omega;
+    q.every = o.every.value_or(period / SimulateOptions::samples_in_period);
   }
-  result.record = numeric::simulation::record_motion(oscillator, result.theta, result.start,
-                                                     {result.duration, result.every}, go_on, take);
-  return result;
+  return {
+      q, origin(given),
+      numeric::simulation::record_motion(oscillator, q.theta, q.start, {q.duration, q.every}, go_on, take)};
 }
 
 bool is_steady(const std::string& word) {
@@ -513,23 +506,23 @@ void require_no_basin(const std::optional<std::string>& basin) {
 }
 
 ExitCode exit_of(const report::machines::Attractors& result) {
-  const bool decided = std::ranges::all_of(result.list.attractors, [](const MachineAttractor& a) {
+  const bool decided = std::ranges::all_of(result.attractors, [](const MachineAttractor& a) {
     return a.kind != numeric::attractors::Kind::periodic || (a.orbit && is_decided(*a.orbit));
   });
-  return result.list.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
+  return result.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
 }
 
 ExitCode exit_of(const report::machines::Diagram& result) {
-  return result.diagram.interrupted ? exit_interrupted : exit_decided;
+  return result.interrupted ? exit_interrupted : exit_decided;
 }
 
 ExitCode exit_of(const report::machines::Basins& result) {
-  return result.basins.interrupted ? exit_interrupted : exit_decided;
+  return result.interrupted ? exit_interrupted : exit_decided;
 }
 
 ExitCode exit_of(const report::machines::WordOrbits& result) {
-  const bool decided = !result.list.orbits.empty() && std::ranges::all_of(result.list.orbits, is_decided);
-  return result.list.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
+  const bool decided = !result.orbits.empty() && std::ranges::all_of(result.orbits, is_decided);
+  return result.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
 }
 
 ExitCode exit_of(const report::machines::OverBox& result) {

@@ -88,7 +88,7 @@ ExitCode run_set(const GivenInTables& given, const SimulateOptions& o) {
     return set_answer(given, o);
   }();
   print_told(result, o.json);
-  return result.set.interrupted ? exit_interrupted : result.set.open.empty() ? exit_decided : exit_undecided;
+  return result.interrupted ? exit_interrupted : result.open.empty() ? exit_decided : exit_undecided;
 }
 
 std::optional<ExitCode> run_in_tables(const AttractorsOptions& o) {
@@ -134,11 +134,8 @@ std::optional<ExitCode> run_in_tables(const SimulateOptions& o) {
   if (o.csv) {
     file.emplace(*o.csv);
   }
-  report::machines::Motion names;
-  names.machine = given->read.machine;
-  names.origin = {given->file, given->read.in_SI};
   if (file) {
-    file->append(report::machines::csv_names(names));
+    file->append(report::machines::csv_names({{given->read.machine}, {given->file, given->read.in_SI}}));
   }
   const auto take = [&](const SampleOfMachine& sample) { file->append(report::machines::csv_line(sample)); };
   const report::machines::Motion result = [&] {
