@@ -145,12 +145,6 @@ void surround(MachineOrbit& orbit, const Machine& machine) {
   orbit.neighbourhood = std::make_shared<Neighbourhood>(neighbourhood_of(machine, orbit));
 }
 
-bool is_decided(const MachineOrbit& orbit) {
-  return orbit.existence.truth == Truth::proved &&
-         (orbit.admissible.truth == Truth::refuted ||
-          (orbit.stability && orbit.stability->kind != numeric::motion::StabilityKind::undecided));
-}
-
 }  // namespace
 
 GivenInTables as_tables(const numeric::words::WordQuestion& machine, const ParameterFile& file,
@@ -503,68 +497,6 @@ void require_no_basin(const std::optional<std::string>& basin) {
   if (basin) {
     throw UsageError("--basin is for steady sliding, S, of a machine in tables");
   }
-}
-
-ExitCode exit_of(const report::machines::Attractors& result) {
-  const bool decided = std::ranges::all_of(result.attractors, [](const MachineAttractor& a) {
-    return a.kind != numeric::attractors::Kind::periodic || (a.orbit && is_decided(*a.orbit));
-  });
-  return result.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
-}
-
-ExitCode exit_of(const report::machines::Diagram& result) {
-  return result.interrupted ? exit_interrupted : exit_decided;
-}
-
-ExitCode exit_of(const report::machines::Basins& result) {
-  return result.interrupted ? exit_interrupted : exit_decided;
-}
-
-ExitCode exit_of(const report::machines::WordOrbits& result) {
-  const bool decided = !result.orbits.empty() && std::ranges::all_of(result.orbits, is_decided);
-  return result.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
-}
-
-ExitCode exit_of(const report::machines::OverBox& result) {
-  const bool decided = !result.motions.empty() && std::ranges::all_of(result.motions, [](const auto& motion) {
-    return std::ranges::all_of(motion.parts, [](const PartOfBox& part) {
-      return part.existence.truth == Truth::proved && numeric::machines::is_decided(part.motions.state);
-    });
-  });
-  return result.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
-}
-
-ExitCode exit_of(const report::machines::Branches& result) {
-  const bool decided = !result.branches.empty() &&
-                       std::ranges::all_of(result.branches, [](const auto& b) { return b.resolved(); });
-  return result.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
-}
-
-namespace {
-
-bool is_decided(const SteadySliding& state) {
-  return state.existence.truth == Truth::refuted ||
-         (state.existence.truth == Truth::proved &&
-          state.stability != numeric::motion::StabilityKind::undecided);
-}
-bool is_decided(const PlanarBasin& basin) {
-  return basin.verdict.truth == Truth::refuted ||
-         (basin.verdict.truth == Truth::proved && basin.others.truth == Truth::proved);
-}
-
-}  // namespace
-
-ExitCode exit_of(const report::machines::Steady& result) {
-  return is_decided(result.state) && (!result.basin || is_decided(result.basin->basin)) ? exit_decided
-                                                                                        : exit_undecided;
-}
-
-ExitCode exit_of(const report::machines::SteadyBranch& result) {
-  const bool decided =
-      std::ranges::all_of(result.along.samples, [](const auto& s) { return is_decided(s.state); }) &&
-      (!result.basins ||
-       std::ranges::all_of(result.basins->along.samples, [](const auto& s) { return is_decided(s.basin); }));
-  return decided ? exit_decided : exit_undecided;
 }
 
 }  // namespace stickslip::cli

@@ -68,14 +68,4 @@ void require_no_basin(const std::optional<std::string>& basin);
 // With --set: of all motions from a box of starts.
 [[nodiscard]] report::machines::SetMotion set_answer(const GivenInTables& given, const SimulateOptions& o);
 
-// exit_interrupted, exit_undecided where something is, else exit_decided.
-[[nodiscard]] ExitCode exit_of(const report::machines::Attractors& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::Diagram& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::Basins& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::WordOrbits& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::Branches& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::OverBox& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::Steady& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::SteadyBranch& result);
-
 }  // namespace stickslip::cli

@@ -166,14 +166,14 @@ ExitCode run(const SimulateOptions& options, const Examples& examples) {
   }
   Simulated simulated = simulate(asked, options, units);
   if (options.csv == Samples::standard_output) {
-    return simulated.record.interrupted ? exit_interrupted : exit_decided;
+    return exit_of(simulated.record.interrupted, true);
   }
   {
     const Interruptible scope;
     simulated.settles = settles_on(simulated.record, asked.from.machine);
   }
   print_result(simulated, file, options.json, units);
-  return simulated.record.interrupted ? exit_interrupted : exit_decided;
+  return exit_of(simulated.record.interrupted, true);
 }
 
 }  // namespace stickslip::cli
