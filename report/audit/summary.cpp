@@ -1,7 +1,6 @@
 #include "report/audit/summary.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -47,11 +46,10 @@ std::vector<StatusCount> counted(const std::vector<Status>& found) {
 // "2 converses: 1 proved, 1 refuted".
 std::string count_in_words(std::size_t total, const std::string& what,
                            const std::vector<StatusCount>& counts) {
-  std::vector<std::string> parts;
-  for (const StatusCount& entry : counts) {
-    parts.push_back(fmt::format("{} {}", entry.count, spaced(to_string(entry.status))));
-  }
-  return fmt::format("{} {}{}{}", total, what, parts.empty() ? "" : ": ", fmt::join(parts, ", "));
+  return fmt::format("{} {}{}{}", total, what, counts.empty() ? "" : ": ",
+                     enumerated(counts, [](const StatusCount& entry) {
+                       return fmt::format("{} {}", entry.count, spaced(to_string(entry.status)));
+                     }));
 }
 
 using proofs::methods::Audit;
@@ -206,7 +204,7 @@ std::string summary_line(const Paper& paper, const Audit& audit) {
       ours.push_back(count_in_words(entry.count, entry.count == 1 ? known.one : known.many, entry.statuses));
     }
   }
-  const std::string claims = fmt::format("{}", fmt::join(ours, "; "));
+  const std::string claims = enumerated(ours, std::identity(), "; ");
   if (!whole) {
     return (claims.empty() ? "no claims" : claims) + ".";
   }
@@ -241,17 +239,15 @@ std::string verdict_lead(const Paper& paper, const Audit& audit) {
 }
 
 std::string verdict_sentence(const Paper& paper, const Audit& audit) {
-  std::vector<std::string> parts;
-  for (const StatusCount& entry : count_statements(paper, audit)) {
+  const std::vector<StatusCount> counts = count_statements(paper, audit);
+  const auto in_words = [](const StatusCount& entry) {
     const StatusFacts& known = facts(entry.status);
-    parts.push_back(fmt::format("{} {}", entry.count, entry.count == 1 ? known.one : known.many));
-  }
-  if (parts.empty()) {
-    return {};
-  }
+    return tools::counted(entry.count, known.one, known.many);
+  };
   const std::size_t total = statements_in(paper, audit).size();
-  return fmt::format("Of {} of {}, {}.", tools::counted(total, "statement"), source_of(audit),
-                     fmt::join(parts, "; "));
+  return counts.empty() ? ""
+                        : fmt::format("Of {} of {}, {}.", tools::counted(total, "statement"),
+                                      source_of(audit), enumerated(counts, in_words, "; "));
 }
 
 std::string sentence_of_ours(const Audit& audit) {
@@ -260,14 +256,13 @@ std::string sentence_of_ours(const Audit& audit) {
   for (const OriginCount& entry : count_origins(audit)) {
     const OriginFacts& known = facts(entry.origin);
     if (!known.source) {
-      parts.push_back(fmt::format("{} {}", entry.count, entry.count == 1 ? known.one : known.many));
+      parts.push_back(tools::counted(entry.count, known.one, known.many));
       total += entry.count;
     }
   }
-  return parts.empty()
-             ? ""
-             : fmt::format("Beside these {} claim{} of our own {} counted apart: {}.", total,
-                           total == 1 ? "" : "s", total == 1 ? "is" : "are", fmt::join(parts, ", "));
+  return parts.empty() ? ""
+                       : fmt::format("Beside these {} claim{} of our own {} counted apart: {}.", total,
+                                     total == 1 ? "" : "s", total == 1 ? "is" : "are", enumerated(parts));
 }
 
 std::string sentence_of_findings(const Paper& paper, const Audit& audit) {

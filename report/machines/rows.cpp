@@ -1,7 +1,6 @@
 #include "report/machines/rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -37,11 +36,11 @@ std::string law(const Seen& seen, const model::FrictionLaw<Rational>& law) {
                        f.fall == model::Fall::exponential ? "exponentially" : "hyperbolically",
                        seen.with(f.scale, "m/s"), viscous);
   }
-  std::vector<std::string> points;
-  for (const model::SlidingPiece<Rational>& piece : law.sliding) {
-    points.push_back(fmt::format("{} from {}", to_string(piece.force), to_string(piece.from)));
-  }
-  return fmt::format("{} at rest; sliding {}{}", seen.with(law.at_rest, "N"), fmt::join(points, ", "),
+  return fmt::format("{} at rest; sliding {}{}", seen.with(law.at_rest, "N"),
+                     enumerated(law.sliding,
+                                [](const model::SlidingPiece<Rational>& piece) {
+                                  return to_string(piece.force) + " from " + to_string(piece.from);
+                                }),
                      seen.in_SI ? " (N, m/s)" : "");
 }
 
@@ -70,18 +69,11 @@ std::vector<std::size_t> Seen::shown_masses() const {
 
 std::vector<Row> machine_rows(const Seen& seen) {
   const model::FrictionOscillator<Rational>& o = seen.oscillator();
-  std::vector<std::string> masses;
-  for (const Rational& m : o.masses) {
-    masses.push_back(seen.with(m, "kg"));
-  }
-  bool damped = false;
-  for (Eigen::Index i = 0; i < o.damping.size(); ++i) {
-    damped = damped || o.damping.data()[i] != 0;
-  }
-  std::vector<Row> rows{
-      {{"masses"}, {fmt::format("{}{}", fmt::join(masses, ", "), damped ? "; with dashpots" : "")}},
-      {{"belt"}, {fmt::format("under mass {}, {}", o.rubbing + 1, seen.with(o.V, "m/s"))}},
-      {{"friction"}, {law(seen, o.forward)}}};
+  const std::string masses = enumerated(o.masses, [&](const Rational& m) { return seen.with(m, "kg"); });
+  const bool damped = (o.damping.array() != Rational(0)).any();
+  std::vector<Row> rows{{{"masses"}, {fmt::format("{}{}", masses, damped ? "; with dashpots" : "")}},
+                        {{"belt"}, {fmt::format("under mass {}, {}", o.rubbing + 1, seen.with(o.V, "m/s"))}},
+                        {{"friction"}, {law(seen, o.forward)}}};
   if (law(seen, o.backward) != law(seen, o.forward)) {
     rows.push_back({{"  overshooting"}, {law(seen, o.backward)}});
   }
@@ -297,12 +289,8 @@ std::string command_of(const Branches& result) {
 }
 
 std::string command_of(const OverBox& result) {
-  std::string all;
-  for (const Varied& varied : result.data) {
-    all += along(varied);
-  }
-  return fmt::format("stickslip branch {}{}{} --parts {}", of_word(result), all, which(result),
-                     result.most_parts);
+  return fmt::format("stickslip branch {}{}{} --parts {}", of_word(result),
+                     enumerated(result.data, along, ""), which(result), result.most_parts);
 }
 
 std::string command_of(const Motion& result) {
@@ -483,19 +471,11 @@ std::string start_of(const Varied& v) {
 }
 
 std::string box_of(const OverBox& result) {
-  std::vector<std::string> all;
-  for (const Varied& varied : result.data) {
-    all.push_back(range_of(varied, result.origin));
-  }
-  return fmt::format("{}", fmt::join(all, ", "));
+  return enumerated(result.data, [&](const Varied& varied) { return range_of(varied, result.origin); });
 }
 
 std::string start_of(const OverBox& result) {
-  std::vector<std::string> all;
-  for (const Varied& varied : result.data) {
-    all.push_back(start_of(varied));
-  }
-  return fmt::format("{}", fmt::join(all, ", "));
+  return enumerated(result.data, [](const Varied& varied) { return start_of(varied); });
 }
 
 std::string parameter_of(const std::string& path, const Origin& origin) {

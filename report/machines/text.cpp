@@ -10,6 +10,7 @@
 #include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
+#include "report/orbits/record_json.hpp"
 #include "report/tools/numbers.hpp"
 
 namespace stickslip::report::machines {
@@ -66,12 +67,11 @@ std::string machine_text(const Seen& seen, const Style& style, const std::vector
 }
 
 std::string state_of(const Eigen::VectorXd& X, const Seen& seen) {
-  std::string text;
   const double * x = X.data();
-  for (const orbits::Coordinate& one : coordinates_of(seen)) {
-    text += fmt::format("{}{} = {:.9g}", text.empty() ? "" : ", ", one.name, *x++);
-  }
-  return text + seen.unit("m and m/s");
+  return enumerated(
+             coordinates_of(seen),
+             [&](const orbits::Coordinate& one) { return fmt::format("{} = {:.9g}", one.name, *x++); }) +
+         seen.unit("m and m/s");
 }
 
 }  // namespace
@@ -223,49 +223,33 @@ std::string terminal_report(const SteadyBranch& result, const Style& style) {
 std::string terminal_report(const Motion& result, const Style& style) {
   const Seen seen = seen_of(result);
   const auto& record = result.record;
-  std::string shares;
-  for (const motion::PhaseKind kind :
-       {motion::PhaseKind::slip, motion::PhaseKind::overshoot, motion::PhaseKind::stick}) {
-    shares += fmt::format("{}{} {:.3f} %", shares.empty() ? "" : ", ", to_string(kind),
-                          100 * record.time_in[static_cast<std::size_t>(kind)] / record.done);
-  }
   std::vector<Row> rows{
       {{"start"}, {state_of(result.question.start, seen)}},
       {{"simulated"},
        {fmt::format("t = {:.9g}{}{}", record.done, seen.in_SI ? " s" : "",
                     record.interrupted ? "; interrupted" : "")}},
       {{"end"}, {fmt::format("{}: {}", to_string(record.end.phase), state_of(record.end.X, seen))}},
-      {{"shares"}, {shares}},
+      {{"shares"}, {orbits::shares_in_words(record)}},
       {{"energy"}, {fmt::format("{:.6g}{} at the end", record.end.energy, seen.in_SI ? " J" : "")}},
       {{"events"}, {fmt::format("{}", record.events)}}};
-  std::string text = heading("A motion of the machine", style) + machine_text(seen, style, rows);
-  std::vector<Row> events{{{"  event at t" + seen.unit("s")}, {"from"}, {"to"}, {"r" + seen.unit("N")}}};
+  Row names{{"  event at t" + seen.unit("s")}, {"from"}, {"to"}, {"r" + seen.unit("N")}};
   for (const std::size_t mass : seen.shown_masses()) {
-    events[0].push_back({fmt::format("x{}{}", mass + 1, seen.unit("m"))});
+    names.push_back({fmt::format("x{}{}", mass + 1, seen.unit("m"))});
   }
   const auto piece = [](motion::PhaseKind kind, int number) {
     return number == 0 ? to_string(kind) : fmt::format("{}, piece {}", to_string(kind), number + 1);
   };
-  const auto add = [&](const auto& some) {
-    for (const auto& e : some) {
-      events.push_back({{fmt::format("  {:.9g}", e.time)},
-                        {piece(e.before, e.piece_before)},
-                        {piece(e.after, e.piece_after)},
-                        {fmt::format("{:.6g}", e.r)}});
-      for (const std::size_t mass : seen.shown_masses()) {
-        events.back().push_back({fmt::format("{:.6g}", e.X(static_cast<Eigen::Index>(mass)))});
-      }
-    }
-  };
-  add(record.first_events);
-  const long left_out = record.events - static_cast<long>(record.first_events.size()) -
-                        static_cast<long>(record.last_events.size());
-  if (left_out > 0) {
-    events.push_back({{"  ..."}, {fmt::format("{} more", left_out)}});
-    events.back().resize(events[0].size(), {""});
-  }
-  add(record.last_events);
-  return record.events == 0 ? text : text + "\n" + columns_of(events, style.width);
+  return heading("A motion of the machine", style) + machine_text(seen, style, rows) +
+         orbits::event_table(names, record, style, [&](const auto& e) {
+           Row row{{fmt::format("  {:.9g}", e.time)},
+                   {piece(e.before, e.piece_before)},
+                   {piece(e.after, e.piece_after)},
+                   {fmt::format("{:.6g}", e.r)}};
+           for (const std::size_t mass : seen.shown_masses()) {
+             row.push_back({fmt::format("{:.6g}", e.X(static_cast<Eigen::Index>(mass)))});
+           }
+           return row;
+         });
 }
 
 std::string to_csv(const Branches& result) {
@@ -349,12 +333,14 @@ std::string terminal_report(const SetMotion& set, const Style& style) {
   }
   std::ranges::sort(by_share);
   constexpr std::size_t most_words = 6;
-  std::string through;
-  for (std::size_t k = 0; k < std::min(by_share.size(), most_words); ++k) {
-    through += fmt::format("{}{} ({:.3g} %)", k == 0 ? "" : ", ", orbits::shortened(by_share[k].second),
-                           -100 * by_share[k].first);
-  }
-  through += by_share.size() > most_words ? fmt::format(" and {} more", by_share.size() - most_words) : "";
+  const std::size_t more = by_share.size() - std::min(by_share.size(), most_words);
+  by_share.resize(by_share.size() - more);
+  const std::string through =
+      enumerated(by_share,
+                 [](const auto& one) {
+                   return fmt::format("{} ({:.3g} %)", orbits::shortened(one.second), -100 * one.first);
+                 }) +
+      (more > 0 ? fmt::format(" and {} more", more) : "");
   std::vector<Row> head{
       {{"after"}, {fmt::format("{:.9g}{}", q.time, seen.in_SI ? " s" : "")}},
       {{"proved"},
