@@ -6,7 +6,6 @@
 
 #include "cli/answer.hpp"
 #include "cli/asked.hpp"
-#include "cli/certify.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine_answers.hpp"
 #include "cli/orbit_data.hpp"
