@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <functional>
 #include <map>
@@ -363,31 +362,14 @@ std::set<std::string> used_by_proofs_of(const Record& record) {
   return all;
 }
 
-// How many claims of one place are used by proofs of another, by both.
-using Uses = std::map<std::pair<std::string, std::string>, std::size_t>;
-
-Uses uses_between(const std::vector<PlaceRecords>& places) {
-  std::map<std::string, std::string> place_of;
-  for (const PlaceRecords& place : places) {
-    for (const Record * record : place.records) {
-      place_of[record->claim.id] = place.id;
-    }
+// How many claims of one place the proofs of another use.
+std::size_t count_uses(const PlaceRecords& used, const PlaceRecords& user) {
+  std::set<std::string> ids;
+  for (const Record * record : user.records) {
+    ids.merge(used_by_proofs_of(*record));
   }
-  std::set<std::array<std::string, 3>> found;  // place of the used claim, place of the user, the claim
-  for (const PlaceRecords& place : places) {
-    for (const Record * record : place.records) {
-      for (const std::string& id : used_by_proofs_of(*record)) {
-        if (const auto other = place_of.find(id); other != place_of.end() && other->second != place.id) {
-          found.insert({other->second, place.id, id});
-        }
-      }
-    }
-  }
-  Uses uses;
-  for (const auto& [from, to, id] : found) {
-    ++uses[{from, to}];
-  }
-  return uses;
+  return static_cast<std::size_t>(std::ranges::count_if(
+      used.records, [&](const Record * record) { return ids.contains(record->claim.id); }));
 }
 
 // "Section 2" of "Section 2: the model".
@@ -404,13 +386,11 @@ int shade(std::size_t count) {
 
 Json uses_of_places(const Paper& paper, const Audit& audit) {
   const std::vector<PlaceRecords> places = by_place(paper, audit);
-  const Uses uses = uses_between(places);
   Json parts = Json::array();
   for (const PlaceRecords& user : places) {
     Json rests_on = Json::array(), row = Json::array();
     for (const PlaceRecords& used : places) {
-      const auto found = uses.find({used.id, user.id});
-      const std::size_t count = found == uses.end() ? 0 : found->second;
+      const std::size_t count = used.id == user.id ? 0 : count_uses(used, user);
       row.push_back({{"short", without_subject(used.title)},
                      {"count", count == 0 ? "" : std::to_string(count)},
                      {"weight", shade(count)}});
