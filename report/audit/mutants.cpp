@@ -15,11 +15,6 @@ using namespace tools;
 
 namespace {
 
-using proofs::checks::Fate;
-using proofs::checks::Gate;
-using proofs::checks::Mutant;
-using proofs::checks::Twin;
-
 // By their fates.
 constexpr std::array by_fate{&GateRow::refuted, &GateRow::unproved, &GateRow::meaningless, &GateRow::true_too,
                              &GateRow::survived};

@@ -22,10 +22,6 @@ using namespace proofs::methods;
 
 namespace {
 
-using proofs::methods::Audit;
-using proofs::methods::Record;
-using proofs::methods::Status;
-
 std::string title_of(const Paper& paper, const std::string& place) {
   const auto section = std::ranges::find(paper.sections, place, &Section::id);
   return section == paper.sections.end() ? place : section->title;
@@ -50,11 +46,6 @@ std::string count_in_words(std::size_t total, const std::string& what,
                        return fmt::format("{} {}", entry.count, spaced(to_string(entry.status)));
                      }));
 }
-
-using proofs::methods::Audit;
-using proofs::methods::Hypothesis;
-using proofs::methods::Outcome;
-using proofs::methods::Record;
 
 std::vector<Hypothesis> own_hypotheses(const Record& record) {
   std::vector<Hypothesis> own;

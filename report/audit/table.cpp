@@ -21,11 +21,6 @@ using namespace tools;
 
 namespace {
 
-using proofs::methods::Audit;
-using proofs::methods::Outcome;
-using proofs::methods::Record;
-using proofs::methods::Status;
-
 // Wide enough for a line of a terminal, never reached: one line per statement.
 constexpr std::size_t unlimited = 1U << 20U;
 

@@ -121,6 +121,15 @@ std::string terminal_report(const WordOrbits& list, const Style& style) {
 
 namespace {
 
+// Rows below their names, all behind two spaces.
+std::string indented(const Row& names, std::vector<Row> rows, const Style& style) {
+  rows.insert(rows.begin(), names);
+  for (Row& row : rows) {
+    row[0].text = "  " + row[0].text;
+  }
+  return columns_of(rows, style.width);
+}
+
 // Behind how many were followed.
 std::string what_else(const FromOrbits& result) {
   return (result.seen.empty() ? "" : "; " + result.seen) + (result.interrupted ? "; interrupted" : "");
@@ -137,20 +146,12 @@ std::string terminal_report(const Branches& result, const Style& style) {
                              style) +
                      machine_text(seen_of(result), style, more);
   for (std::size_t k = 0; k < result.branches.size(); ++k) {
-    BranchRows rows = rows_of(result.branches[k]);
+    const BranchRows rows = rows_of(result.branches[k]);
     text +=
         "\n" + heading(fmt::format("Branch {}", k + 1), style) + labelled(2, "", rows.heading, style.width);
-    rows.pieces.insert(rows.pieces.begin(), {{"from"}, {"to"}, {"motions"}, {"they are"}});
-    for (Row& row : rows.pieces) {
-      row[0].text = "  " + row[0].text;
-    }
-    text += columns_of(rows.pieces, style.width);
+    text += indented({{"from"}, {"to"}, {"motions"}, {"they are"}}, rows.pieces, style);
     if (!rows.changes.empty()) {
-      rows.changes.insert(rows.changes.begin(), {{"at " + result.varied.path}, {"change"}, {""}});
-      for (Row& row : rows.changes) {
-        row[0].text = "  " + row[0].text;
-      }
-      text += columns_of(rows.changes, style.width);
+      text += indented({{"at " + result.varied.path}, {"change"}, {""}}, rows.changes, style);
     }
   }
   return text;
@@ -164,14 +165,10 @@ std::string terminal_report(const OverBox& result, const Style& style) {
                      machine_text(seen_of(result), style, more);
   for (std::size_t k = 0; k < result.motions.size(); ++k) {
     const OverBox::Family& family = result.motions[k];
-    BoxRows rows = rows_of(result, family);
+    const BoxRows rows = rows_of(result, family);
     text += "\n" + heading(fmt::format("Motion {}: {}", k + 1, remark(family.at_start)), style) +
             labelled(2, "", rows.heading, style.width);
-    rows.kinds.insert(rows.kinds.begin(), {{"of the box"}, {"parts"}, {"motions are"}});
-    for (Row& row : rows.kinds) {
-      row[0].text = "  " + row[0].text;
-    }
-    text += columns_of(rows.kinds, style.width);
+    text += indented({{"of the box"}, {"parts"}, {"motions are"}}, rows.kinds, style);
   }
   return text;
 }
