@@ -73,13 +73,9 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Examples& 
 ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Examples& examples) {
   if (o.plane && (o.neighbourhood || o.window)) {
     const auto asked = asked_basins(as_text(o), examples);
-    AttractorsOptions rest = o;
-    rest.example.clear();
-    rest.parameters.clear();
-    rest.si = false;
     return run_plane(as_tables(asked.question.machine.machine, asked.file, asked.units,
                                "--plane with --neighbourhood or --window"),
-                     rest);
+                     without_machine(o));
   }
   return o.plane ? answer(o, asked_basins(o, examples), basins_of)
                  : answer(o, asked_diagram(o, examples), diagram_of);

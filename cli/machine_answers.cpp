@@ -48,7 +48,7 @@ void refuse_others(const GivenMachine& o, const std::string& file, bool takes_ph
 }
 
 AnyState state_for(const GivenInTables& given, const char * name, const State& state) {
-  const std::size_t n = given.read.machine.oscillator.size();
+  const std::size_t n = given.machine.oscillator.size();
   if (state.size() != 2 * n) {
     throw UsageError(
         fmt::format("{}: the positions of the {} {} and then their velocities are {} numbers, not {}", name,
@@ -69,17 +69,17 @@ Word word_for(const GivenInTables& given, const std::string& text, const char * 
         fmt::format("stickslip {} of a machine in tables, {}, is for a word of phases such as OTS, not for a "
                     "family of the "
                     "paper's oscillator",
-                    command, given.file));
+                    command, given.origin.file));
   }
   return Word::parse(text);
 }
 
 MachineWord question_for(const GivenInTables& given, const std::string& text, const char * command,
                          std::optional<int> period, const std::optional<State>& near) {
-  MachineWord q{given.read.machine, word_for(given, text, command), {}, {}};
+  MachineWord q{given.machine, word_for(given, text, command), {}, {}};
   if (period && q.machine.oscillator.is_autonomous()) {
     throw UsageError(
-        fmt::format("--period counts periods of the load, and {} has none that varies", given.file));
+        fmt::format("--period counts periods of the load, and {} has none that varies", given.origin.file));
   }
   q.periods = period ? std::optional<long>(*period) : std::nullopt;
   if (near) {
@@ -96,7 +96,7 @@ struct AlongPath {
 AlongPath along_path(const GivenInTables& given, const Ranges& along) {
   if (along.empty()) {
     throw UsageError(fmt::format(
-        "what varies is missing: --along PATH A..B, PATH such as belt.velocity in {}", given.file));
+        "what varies is missing: --along PATH A..B, PATH such as belt.velocity in {}", given.origin.file));
   }
   if (along.size() > 1) {
     throw UsageError(fmt::format("--along is for one number here, not for {} of them", along.size()));
@@ -132,13 +132,9 @@ std::vector<std::size_t> wanted(const MachineWordOrbits& found, const BranchOpti
   return places;
 }
 
-report::machines::Origin origin(const GivenInTables& given) {
-  return {given.file, given.read.in_SI, given.options};
-}
-
 report::machines::FromOrbits from_orbits(const GivenInTables& given, const MachineWordOrbits& found,
                                          const BranchOptions& o) {
-  return {found.question, origin(given), o.orbit, o.all, found.seen, found.interrupted};
+  return {found.question, given.origin, o.orbit, o.all, found.seen, found.interrupted};
 }
 
 void surround(MachineOrbit& orbit, const Machine& machine) {
@@ -175,9 +171,8 @@ GivenInTables as_tables(const numeric::words::WordQuestion& machine, const Param
       }
       return machine_of(machine_in_SI(there, name, FrictionAtRest::needed));
     };
-    return {file.name,
-            {machine_of(file.machine->machine), true},
-            "--params " + file.name + " --units si",
+    return {{file.name, true, "--params " + file.name + " --units si"},
+            machine_of(file.machine->machine),
             with,
             value};
   }
@@ -206,7 +201,7 @@ GivenInTables as_tables(const numeric::words::WordQuestion& machine, const Param
     return *place(there.data, there.ur, name);
   };
   return {
-      "the paper's oscillator", {with({}), false}, options + "--ur " + to_string(machine.ur), with, value};
+      {"the paper's oscillator", false, options + "--ur " + to_string(machine.ur)}, with({}), with, value};
 }
 
 std::pair<GivenInTables, BranchOptions> box_in_tables(const BranchOptions& o,
@@ -216,11 +211,7 @@ std::pair<GivenInTables, BranchOptions> box_in_tables(const BranchOptions& o,
         "several --along are for a word of phases such as OTS; of a family stickslip atlas maps a box");
   }
   const auto asked = asked_box(o, examples);
-  BranchOptions rest = o;
-  rest.example.clear();
-  rest.parameters.clear();
-  rest.si = false;
-  return {as_tables(asked.question, asked.file, asked.units, "a box of data"), rest};
+  return {as_tables(asked.question, asked.file, asked.units, "a box of data"), without_machine(o)};
 }
 
 std::optional<GivenInTables> given_in_tables(const GivenMachine& options) {
@@ -232,22 +223,20 @@ std::optional<GivenInTables> given_in_tables(const GivenMachine& options) {
   if (!read) {
     return std::nullopt;
   }
-  GivenInTables given{options.file.name, *read};
-  given.with = [text, file = given.file](const std::vector<Datum>& data) {
-    return machine_in_tables(text, file, data)->machine;
-  };
-  given.value = [text, file = given.file](const std::string& path) {
-    return value_in_tables(text, file, path);
-  };
-  return given;
+  const std::string& file = options.file.name;
+  return GivenInTables{
+      {file, read->in_SI},
+      read->machine,
+      [text, file](const std::vector<Datum>& data) { return machine_in_tables(text, file, data)->machine; },
+      [text, file](const std::string& path) { return value_in_tables(text, file, path); }};
 }
 
 namespace {
 
 MachineStarts starts_of(const GivenInTables& given, const AttractorsOptions& o, int starts) {
-  refuse_others(o, given.file, false, {});
+  refuse_others(o, given.origin.file, false, {});
   require_sense(o);
-  return {given.read.machine, o.starts.value_or(starts), static_cast<std::uint64_t>(o.seed.value_or(1)),
+  return {given.machine, o.starts.value_or(starts), static_cast<std::uint64_t>(o.seed.value_or(1)),
           o.most_periods.value_or(AttractorsOptions::default_most_periods),
           o.digits.value_or(OrbitsOptions::default_digits)};
 }
@@ -256,10 +245,10 @@ MachineStarts starts_of(const GivenInTables& given, const AttractorsOptions& o, 
 
 report::machines::Attractors answer(const GivenInTables& given, const AttractorsOptions& o) {
   report::machines::Attractors list{find_attractors(starts_of(given, o, AttractorsOptions::default_starts)),
-                                    origin(given)};
+                                    given.origin};
   for (MachineAttractor& a : list.attractors) {
     if (o.neighbourhood && a.orbit) {
-      surround(*a.orbit, given.read.machine);
+      surround(*a.orbit, given.machine);
     }
   }
   return list;
@@ -274,13 +263,13 @@ report::machines::Diagram diagram_answer(const GivenInTables& given, const Attra
   diagram.from = varied.from;
   diagram.to = varied.to;
   diagram.values = values_of(o);
-  return {along(std::move(diagram)), varied.path, origin(given)};
+  return {along(std::move(diagram)), varied.path, given.origin};
 }
 
 report::machines::Basins basins_answer(const GivenInTables& given, const AttractorsOptions& o) {
   MachineBasins basins;
   basins.question = starts_of(given, o, 1);
-  basins.across = plane("plane", o.plane.value(), given.read.machine.oscillator.size());
+  basins.across = plane("plane", o.plane.value(), given.machine.oscillator.size());
   const long pixels = pixels_of(o);
   basins.pixels = {pixels, pixels};
   if (o.through) {
@@ -294,18 +283,18 @@ report::machines::Basins basins_answer(const GivenInTables& given, const Attract
     basins.half = {half[0], half[1]};
   }
   basins.prove = o.neighbourhood;
-  return {in_plane(std::move(basins)), origin(given)};
+  return {in_plane(std::move(basins)), given.origin};
 }
 
 report::machines::WordOrbits answer(const GivenInTables& given, const OrbitsOptions& o) {
   require_no_basin(o.basin);
   MachineWord q = question_for(given, o.family, "orbits", o.period, o.near);
-  refuse_others(o, given.file, false, {"--cells", "--time", "--certify", "--all", "--plot"});
+  refuse_others(o, given.origin.file, false, {"--cells", "--time", "--certify", "--all", "--plot"});
   q.digits = o.digits.value_or(OrbitsOptions::default_digits);
-  report::machines::WordOrbits list{find_word_orbits(q), origin(given)};
+  report::machines::WordOrbits list{find_word_orbits(q), given.origin};
   for (MachineOrbit& orbit : list.orbits) {
     if (o.neighbourhood) {
-      surround(orbit, given.read.machine);
+      surround(orbit, given.machine);
     }
   }
   return list;
@@ -329,27 +318,27 @@ Rectangle rectangle(const std::string& text) {
 
 report::machines::Steady steady_answer(const GivenInTables& given, const OrbitsOptions& o) {
   refuse_others(
-      o, given.file, false,
+      o, given.origin.file, false,
       {"--period", "--near", "--cells", "--time", "--certify", "--plot", "--out", "--neighbourhood"});
   const int digits = o.digits.value_or(OrbitsOptions::default_digits);
   report::machines::Steady result{
-      {given.read.machine, digits}, steady_sliding(given.read.machine, digits), origin(given)};
+      {given.machine, digits}, steady_sliding(given.machine, digits), given.origin};
   if (o.basin) {
     const Rectangle starts = rectangle(*o.basin);
-    result.basin = {starts, planar_basin(given.read.machine, starts, digits)};
+    result.basin = {starts, planar_basin(given.machine, starts, digits)};
   }
   return result;
 }
 
 report::machines::SteadyBranch steady_answer(const GivenInTables& given, const BranchOptions& o) {
   refuse_others(
-      o, given.file, false,
+      o, given.origin.file, false,
       {"--period", "--near", "--orbit", "--at", "--without-gaps", "--parts", "--csv", "--plot", "--out"});
   const auto [varied, at] = along_path(given, o.along);
   const auto& [path, from, to, start] = varied;
   const int digits = OrbitsOptions::default_digits;
   report::machines::SteadyBranch result{
-      {given.read.machine, digits}, varied, steady_sliding_along(at, from, to, digits), origin(given)};
+      {given.machine, digits}, varied, steady_sliding_along(at, from, to, digits), given.origin};
   if (o.basin) {
     const Rectangle starts = rectangle(*o.basin);
     result.basins = {starts, planar_basin_along(at, from, to, starts, digits)};
@@ -367,7 +356,7 @@ report::machines::Branches answer(const GivenInTables& given, const BranchOption
                                  to_string(from), to_string(to)));
   }
   MachineWord q = question_for(given, o.family, "branch", o.period, o.near);
-  refuse_others(o, given.file, false, {});
+  refuse_others(o, given.origin.file, false, {});
   if (o.parts) {
     throw UsageError("--parts is for several --along");
   }
@@ -391,7 +380,8 @@ report::machines::OverBox box_answer(const GivenInTables& given, const BranchOpt
   for (const auto& [path, range] : o.along) {
     const std::string& name = path;
     if (std::ranges::count(o.along, name, [](const auto& one) { return one.first; }) > 1) {
-      throw UsageError(fmt::format("{}: {} and {} vary together: give one of them", given.file, name, name));
+      throw UsageError(
+          fmt::format("{}: {} and {} vary together: give one of them", given.origin.file, name, name));
     }
     const auto [from, to] = interval(path, range);
     varied.push_back({path, from, to, start_in(given, path, from, to)});
@@ -406,7 +396,7 @@ report::machines::OverBox box_answer(const GivenInTables& given, const BranchOpt
     }
     return given.with(data);
   };
-  refuse_others(o, given.file, false, {});
+  refuse_others(o, given.origin.file, false, {});
   if (o.at) {
     throw UsageError("--at is for one --along: of several the orbits are looked for at what is given");
   }
@@ -429,14 +419,14 @@ namespace {
 
 // The start, the load's phase there and the duration.
 report::machines::MotionQuestion start_of(const GivenInTables& given, const SimulateOptions& o) {
-  refuse_others(o, given.file, true, {"--orbit", "--plot"});
+  refuse_others(o, given.origin.file, true, {"--orbit", "--plot"});
   if (!o.state) {
     throw UsageError(
         fmt::format("the start is missing: --state, the positions of all masses of {} and then their "
                     "velocities",
-                    given.file));
+                    given.origin.file));
   }
-  report::machines::MotionQuestion result{given.read.machine};
+  report::machines::MotionQuestion result{given.machine};
   const auto oscillator = oscillator_as<double>(result.machine);
   const bool autonomous = oscillator.is_autonomous();
   result.start = state_for(given, "state", *o.state);
@@ -451,7 +441,7 @@ report::machines::MotionQuestion start_of(const GivenInTables& given, const Simu
     throw UsageError(
         fmt::format("{} has no load that varies: --time T says how long, and neither --periods nor "
                     "--phi goes with it",
-                    given.file));
+                    given.origin.file));
   }
   if (o.periods && o.duration) {
     throw UsageError("--periods and --time do not go together");
@@ -471,7 +461,7 @@ report::machines::SetMotion set_answer(const GivenInTables& given, const Simulat
   }
   const report::machines::MotionQuestion one = start_of(given, o);
   const AnyState half = state_for(given, "set", *o.set);
-  return {set_after({one.machine, one.start, half, one.theta, one.duration}), origin(given)};
+  return {set_after({one.machine, one.start, half, one.theta, one.duration}), given.origin};
 }
 
 report::machines::Motion answer(const GivenInTables& given, const SimulateOptions& o,
@@ -485,7 +475,7 @@ report::machines::Motion answer(const GivenInTables& given, const SimulateOption
     q.every = o.every.value_or(period / SimulateOptions::samples_in_period);
   }
   return {
-      q, origin(given),
+      q, given.origin,
       numeric::simulation::record_motion(oscillator, q.theta, q.start, {q.duration, q.every}, go_on, take)};
 }
 

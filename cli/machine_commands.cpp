@@ -150,7 +150,7 @@ std::optional<ExitCode> run_in_tables(const SimulateOptions& o) {
     file.emplace(*o.csv);
   }
   if (file) {
-    file->append(report::machines::csv_names({{given->read.machine}, {given->file, given->read.in_SI}}));
+    file->append(report::machines::csv_names({{given->machine}, given->origin}));
   }
   const auto take = [&](const SampleOfMachine& sample) { file->append(report::machines::csv_line(sample)); };
   const report::machines::Motion result = worked_out("simulating ...", [&] {

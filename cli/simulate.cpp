@@ -112,16 +112,15 @@ void require_places(const SimulateOptions& options) {
 }
 
 // The same motion of a machine in tables.
-SimulateOptions as_typed(const MotionAsked& asked, SimulateOptions options, const Units& units) {
+SimulateOptions as_typed(const MotionAsked& asked, const SimulateOptions& o, const Units& units) {
+  SimulateOptions options = without_machine(o);
   if (!options.state) {
     const model::Vector4<double> X = units.state(asked.from.start.X);
     options.state = State(X.begin(), X.end());
     options.perturb.reset();
   }
-  options.example.clear();
   options.orbit.clear();
   options.typed.erase("--orbit");
-  options.si = false;
   options.parameters = {{"phi", fmt::format("{:.17g}", asked.from.start.phi)}};
   return options;
 }

@@ -95,17 +95,20 @@ void write_machine(Object& json, const Machine& machine, const Origin& origin) {
   });
 }
 
+// The verdict on that it exists, and what `write` has of it where that is proved.
+template <class T, class Write>
+void write_if_proved(Object& json, const Verdict& verdict, const char * on, const T& it, const Write& write) {
+  json.has("verdict", verdict.truth, on);
+  json.has("reason", orbits::if_any(verdict.reason));
+  json.keys_if(verdict.truth == Truth::proved ? std::optional(it) : std::nullopt, write);
+}
+
 void write_orbit(Object& json, const MachineOrbit& o, int digits) {
   json.has("word", word_of(o.pieces), orbits::like_word());
   json.has("pieces", word_of(o.pieces, true),
            "Phases with the pieces of the friction law that they are on: S2 a slip on the second.");
   json.has("periods", o.periods, with({{"minimum", 1}}, "Of the load; 1 without one."));
-  json.has("verdict", o.existence.truth, "On: exactly one such motion closes near here.");
-  json.has("reason", orbits::if_any(o.existence.reason));
-  json.keys_if(o.existence.truth == Truth::proved ? std::optional(o) : std::nullopt, [digits](
-                                                                                         Object& to,
-                                                                                         const MachineOrbit&
-                                                                                             proved) {
+  const auto write = [digits](Object& to, const MachineOrbit& proved) {
     to.has("period", ball_text(proved.period, digits), "A time.");
     to.has("theta", ball_text(proved.load, digits), "The load's phase when the first phase begins.");
     to.list("phases", proved.phases, [digits](Object& one, const MachinePhase& phase) {
@@ -119,28 +122,27 @@ void write_orbit(Object& json, const MachineOrbit& o, int digits) {
     orbits::write_stability(to, proved.stability, proved.conditions, digits);
     to.list("conditions", proved.conditions, orbits::write_condition);
     orbits::write_neighbourhood(to, proved.neighbourhood);
-  });
+  };
+  write_if_proved(json, o.existence, "On: exactly one such motion closes near here.", o, write);
 }
 
 void write_steady(Object& json, const SteadySliding& state, int digits) {
-  json.has("verdict", state.existence.truth, "On: there is exactly one motion of the kind.");
-  json.has("reason", orbits::if_any(state.existence.reason));
-  json.keys_if(state.existence.truth == Truth::proved ? std::optional(state) : std::nullopt,
-               [digits](Object& to, const SteadySliding& known) {
-                 to.has("phase", known.piece.kind, orbits::phase_names());
-                 to.has("piece", known.piece.number + 1, with({{"minimum", 1}}, "Of the friction law."));
-                 to.has("x", ball_texts(known.x, digits), "x1, …, xn.");
-                 to.has("friction", ball_text(known.friction, digits));
-                 to.has("stability", known.stability, names_through(motion::StabilityKind::undecided));
-                 to.has("stability_reason", orbits::if_any(known.reason));
-                 to.list(
-                     "eigenvalues", known.eigenvalues,
-                     [digits](Object& one, const motion::ComplexBall& mu) {
-                       one.has("re", ball_text(mu.re, digits));
-                       one.has("im", ball_text(mu.im, digits));
-                     },
-                     "Per time.");
-               });
+  write_if_proved(json, state.existence, "On: there is exactly one motion of the kind.", state,
+                  [digits](Object& to, const SteadySliding& known) {
+                    to.has("phase", known.piece.kind, orbits::phase_names());
+                    to.has("piece", known.piece.number + 1, with({{"minimum", 1}}, "Of the friction law."));
+                    to.has("x", ball_texts(known.x, digits), "x1, …, xn.");
+                    to.has("friction", ball_text(known.friction, digits));
+                    to.has("stability", known.stability, names_through(motion::StabilityKind::undecided));
+                    to.has("stability_reason", orbits::if_any(known.reason));
+                    to.list(
+                        "eigenvalues", known.eigenvalues,
+                        [digits](Object& one, const motion::ComplexBall& mu) {
+                          one.has("re", ball_text(mu.re, digits));
+                          one.has("im", ball_text(mu.im, digits));
+                        },
+                        "Per time.");
+                  });
 }
 
 void write_rectangle(Object& json, const Rectangle& starts) {
@@ -151,21 +153,18 @@ void write_rectangle(Object& json, const Rectangle& starts) {
 }
 
 void write_basin(Object& json, const PlanarBasin& basin, int digits) {
-  json.has(
-      "verdict", basin.verdict.truth,
-      "On: steady sliding is stable, and what ends in it starts inside one closed motion below the belt.");
-  json.has("reason", orbits::if_any(basin.verdict.reason));
-  json.keys_if(basin.verdict.truth == Truth::proved ? std::optional(basin) : std::nullopt,
-               [digits](Object& to, const PlanarBasin& known) {
-                 to.has("share", ball_text(known.share, digits), "Of the starts: those inside.");
-                 to.has("others", known.others.truth,
-                        "On: what starts outside ends on one cycle that sticks.");
-                 to.has("others_reason", orbits::if_any(known.others.reason));
-                 to.has("x", ball_text(known.x, digits), "Of the closed motion, farthest behind.");
-                 to.has("period", ball_text(known.period, digits), "A time.");
-                 to.has("multiplier", ball_text(known.multiplier, digits));
-                 to.has("area", ball_text(known.area, digits), "Inside the closed motion.");
-               });
+  write_if_proved(
+      json, basin.verdict,
+      "On: steady sliding is stable, and what ends in it starts inside one closed motion below the belt.",
+      basin, [digits](Object& to, const PlanarBasin& known) {
+        to.has("share", ball_text(known.share, digits), "Of the starts: those inside.");
+        to.has("others", known.others.truth, "On: what starts outside ends on one cycle that sticks.");
+        to.has("others_reason", orbits::if_any(known.others.reason));
+        to.has("x", ball_text(known.x, digits), "Of the closed motion, farthest behind.");
+        to.has("period", ball_text(known.period, digits), "A time.");
+        to.has("multiplier", ball_text(known.multiplier, digits));
+        to.has("area", ball_text(known.area, digits), "Inside the closed motion.");
+      });
 }
 
 // ---- results
