@@ -8,6 +8,7 @@
 #include "cli/arguments.hpp"
 #include "cli/machine_file.hpp"
 #include "cli/output.hpp"
+#include "core/interruption.hpp"
 #include "report/orbits/attractors.hpp"
 #include "report/orbits/branches.hpp"
 #include "report/orbits/orbits.hpp"
@@ -17,6 +18,19 @@
 #include "report/tools/plot.hpp"
 
 namespace stickslip::cli {
+
+// How a command about a machine ends.
+[[nodiscard]] inline ExitCode exit_of(bool interrupted, bool decided) {
+  return interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
+}
+
+// What the work gives, which Ctrl-C ends early; with a line on the terminal meanwhile.
+template <class Work>
+[[nodiscard]] auto worked_out(const char * doing, const Work& work) {
+  const Interruptible scope;
+  const Progress progress(doing);
+  return work();
+}
 
 // Before long work: throws InputOutputError unless the table, the picture and the page that are asked for can
 // be made and written.
@@ -41,31 +55,53 @@ inline void draw(const std::string& file, const std::string& script, const char 
   }
 }
 
-// On standard output, as JSON or as text; `how`: the units of the text, and the like.
+// On standard output, as JSON or as text; `how`: the units of the text, and the like. A machine in tables
+// has no file but its own.
 template <class Result, class... How>
 void print_result(const Result& result, const ParameterFile& file, bool json, const How&... how) {
+  using report::orbits::terminal_report;
+  using report::orbits::to_json;
   tell_left_out(file);
-  print(json ? report::tools::to_text(with_machine(report::orbits::to_json(result), file))
-             : machine_report(file) + report::orbits::terminal_report(result, terminal_style(), how...));
+  print(json ? report::tools::to_text(with_machine(to_json(result), file))
+             : machine_report(file) + terminal_report(result, terminal_style(), how...));
+}
+
+// The page that `pages` makes, if it is asked for, and what `print` prints.
+template <class Pages, class Print>
+void write_page(const Outputs& o, const Pages& pages, const Print& print) {
+  if (o.out) {
+    const Progress progress("making the page ...");
+    report::tools::write_files(*o.out, pages());
+  }
+  print();
+  if (o.out) {
+    tell(fmt::format("The report is in {}: index.html.", *o.out));
+  }
+}
+
+// A table and a picture of the result, as far as they are asked for.
+template <class Result, class... Units>
+void write_table_and_picture(const Outputs& o, const Result& result, const Units&... units) {
+  using report::orbits::plot_script;
+  using report::orbits::to_csv;
+  if (o.csv) {
+    report::tools::write_file(*o.csv, to_csv(result, units...));
+  }
+  if (o.plot) {
+    draw(*o.plot, plot_script(result, report::tools::plot_format(*o.plot), units...));
+  }
 }
 
 // All that is asked for.
 template <class Result, class... Units>
 void write_outputs(const Outputs& o, const Result& result, const ParameterFile& file, const Units&... units) {
-  if (o.csv) {
-    report::tools::write_file(*o.csv, report::orbits::to_csv(result, units...));
-  }
-  if (o.plot) {
-    draw(*o.plot, report::orbits::plot_script(result, report::tools::plot_format(*o.plot), units...));
-  }
-  if (o.out) {
-    const Progress progress("making the page ...");
-    report::tools::write_files(*o.out, report::orbits::pages(result, {file.name, file.machine, units...}));
-  }
-  print_result(result, file, o.json, units...);
-  if (o.out) {
-    tell(fmt::format("The report is in {}: index.html.", *o.out));
-  }
+  write_table_and_picture(o, result, units...);
+  write_page(
+      o,
+      [&] {
+        return report::orbits::pages(result, {file.name, file.machine, units...});
+      },
+      [&] { print_result(result, file, o.json, units...); });
 }
 
 }  // namespace stickslip::cli

@@ -47,13 +47,16 @@ Asked<OrbitQuestion> asked_orbits(const OrbitsOptions& o, const Examples& exampl
 
 namespace {
 
+constexpr const char * phi_is_result =
+    "the load is cos(omega t), and where in it an orbit begins is a result";
+
 // The machine whose motions are asked for, its load cos(omega t).
-template <class Options>
-Asked<words::WordQuestion> asked_machine(const Options& o, const Examples& examples) {
+Asked<words::WordQuestion> asked_machine(const GivenMachine& o, std::optional<int> wanted, bool json,
+                                         const Examples& examples) {
   ParameterFile file = read_parameters(o, FrictionAtRest::needed);
-  leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
-  const int digits = digits_of(o.digits, file);
-  Units units = units_of(o.si, file, o.json);
+  leave_out(file, "phi", phi_is_result);
+  const int digits = digits_of(wanted, file);
+  Units units = units_of(o.si, file, json);
   words::WordQuestion asked = machine(examples, file, digits);
   return {std::move(file), std::move(units), std::move(asked)};
 }
@@ -66,7 +69,7 @@ Asked<words::WordQuestion> asked_pure_word(const OrbitsOptions& o, const Example
         "--period, --near and --phi are for words with events: the motions {} have one phase for ever",
         o.family));
   }
-  Asked<words::WordQuestion> asked = asked_machine(o, examples);
+  Asked<words::WordQuestion> asked = asked_machine(o, o.digits, o.json, examples);
   words::require_machine_domain(asked.question);
   return asked;
 }
@@ -79,7 +82,7 @@ Asked<WordSearch> asked_word(const OrbitsOptions& o, const Examples& examples) {
     throw UsageError(
         "phi is not given for a word without --near: it is the load's phase at the start that --near gives");
   }
-  Asked<words::WordQuestion> given = asked_machine(of_machine, examples);
+  Asked<words::WordQuestion> given = asked_machine(of_machine, o.digits, o.json, examples);
   const words::WordQuestion& q = given.question;
   WordSearch search{.machine = q,
                     .word = word,
@@ -231,7 +234,7 @@ Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Examp
 Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Examples& examples) {
   const words::Word word = words::Word::parse(o.family);
   ParameterFile file = file_of(o, FrictionAtRest::needed);
-  leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
+  leave_out(file, "phi", phi_is_result);
   const Along along = along_of(file.typed);
   const Rational value = value_at(along, o.at);
   ParameterFile there = file;
@@ -265,11 +268,7 @@ Asked<BranchQuestion> asked_branch_of_word(const BranchOptions& o, const Example
 }  // namespace
 
 Asked<words::WordQuestion> asked_box(const BranchOptions& o, const Examples& examples) {
-  ParameterFile file = read_parameters(o, FrictionAtRest::needed);
-  leave_out(file, "phi", "the load is cos(omega t), and where in it an orbit begins is a result");
-  Units units = units_of(o.si, file, false);
-  words::WordQuestion asked = machine(examples, file, OrbitsOptions::default_digits);
-  return {std::move(file), std::move(units), std::move(asked)};
+  return asked_machine(o, std::nullopt, false, examples);
 }
 
 Asked<BranchQuestion> asked_branch(const BranchOptions& o, const Examples& examples) {
@@ -346,12 +345,9 @@ std::function<DataTaken(const Rational&)> machine_along(const Attracted& o, cons
   const std::string& name = o.along.front().first;
   if (!file.in_SI.contains(name)) {
     if (file.machine && !is_parameter(name)) {
-      std::vector<std::string> known;
-      for (const auto& [key, text] : file.in_SI) {
-        known.push_back(key);
-      }
-      throw UsageError(fmt::format("along: '{}' is none of the parameters in {}: {}", name, file.name,
-                                   fmt::join(known, ", ")));
+      throw UsageError(
+          fmt::format("along: '{}' is none of the parameters in {}: {}", name, file.name,
+                      report::tools::enumerated(file.in_SI, &TypedParameters::value_type::first)));
     }
     if (is_in_SI(name)) {
       throw UsageError(
@@ -374,7 +370,7 @@ std::function<DataTaken(const Rational&)> machine_along(const Attracted& o, cons
 
 Asked<AttractorQuestion> asked_attractors(const Attracted& o, const Examples& examples) {
   require_sense(o);
-  Asked<words::WordQuestion> given = asked_machine(o, examples);
+  Asked<words::WordQuestion> given = asked_machine(o, o.digits, o.json, examples);
   return {std::move(given.file), std::move(given.units), about(given.question, o, Attracted::default_starts)};
 }
 

@@ -5,12 +5,12 @@
 
 #include "cli/arguments.hpp"
 #include "cli/machine_file.hpp"
-#include "cli/simulation_start.hpp"
 #include "numeric/atlas/question.hpp"
 #include "numeric/attractors/diagram.hpp"
 #include "numeric/attractors/word_search.hpp"
 #include "numeric/branches/branches.hpp"
 #include "numeric/orbits.hpp"
+#include "numeric/simulation/record.hpp"
 #include "proofs/methods/paper.hpp"
 
 namespace stickslip::cli {
@@ -63,6 +63,27 @@ void require_sense(const AttractorsOptions& options);
 // Of a machine in SI units, whose values may be ranges, the question is in these.
 [[nodiscard]] Asked<numeric::atlas::Question> asked_atlas(const AtlasOptions& options,
                                                           const proofs::methods::Examples& examples);
+
+// Where a simulation starts.
+struct SimulationStart {
+  numeric::simulation::Start start;
+  // The same machine for what proves orbits of it. Of an orbit whose ur is a result: ur to 17 digits.
+  numeric::words::WordQuestion machine;
+  std::string leaves = {};  // why the motion leaves the orbit that it starts at, in a sentence, if it does
+};
+
+// The state that is given, in these units, or where the example's orbit or orbit K of a family begins; what
+// the options say goes before what the file says. What is in the file and a result of the family's is left
+// out of it. Searches for the orbits. Throws UsageError for what is missing or malformed and for an orbit
+// that there is not, DomainError as list_orbits does.
+[[nodiscard]] SimulationStart simulation_start(const SimulateOptions& options, ParameterFile& file,
+                                               const proofs::methods::Examples& examples,
+                                               const report::orbits::Units& units);
+
+// What the motion settles on when it goes on from the end of the record, if that can be seen within a second
+// or so; nothing after an interruption.
+[[nodiscard]] std::optional<numeric::attractors::Attractor> settles_on(
+    const numeric::simulation::Record& record, const numeric::words::WordQuestion& machine);
 
 // A motion: how many periods of the load, and the time between samples, in the units of the data.
 struct MotionAsked {

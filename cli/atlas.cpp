@@ -87,8 +87,8 @@ ExitCode code_of(const Question& q, const std::vector<Leaf>& leaves) {
 
 // ---- --verify
 
-// What the Arb balls say of a leaf of the file.
-enum class Second { confirmed, contradicted, silent };
+// What the Arb balls say of a leaf of the file, the weightiest last.
+enum class Second { confirmed, silent, contradicted };
 
 Second compare(const Leaf& leaf, const Finding& again) {
   const auto count = [](std::int8_t said, std::int8_t proved) {
@@ -104,13 +104,7 @@ Second compare(const Leaf& leaf, const Finding& again) {
     return Second::contradicted;  // decided means that all is known
   }
   return std::max({count(leaf.finding.orbits, again.orbits), count(leaf.finding.admissible, again.admissible),
-                   count(leaf.finding.stable, again.stable)},
-                  [](Second a, Second b) {
-                    const auto weight = [](Second s) {
-                      return s == Second::contradicted ? 2 : s == Second::silent ? 1 : 0;
-                    };
-                    return weight(a) < weight(b);
-                  });
+                   count(leaf.finding.stable, again.stable)});
 }
 
 // Why a box is left open depends on how it was looked at, and is found again by doing the same.

@@ -10,7 +10,6 @@
 #include "cli/machine_answers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/typed_parameters.hpp"
-#include "core/interruption.hpp"
 
 namespace stickslip::cli {
 
@@ -33,13 +32,9 @@ template <class Question, class Answer>
 ExitCode answer(const AttractorsOptions& o, const Asked<Question>& asked, const Answer& answer_to) {
   const Jobs limit = jobs(o.jobs);
   require_outputs(o);
-  const auto result = [&] {
-    const Interruptible scope;
-    const Progress progress("following the starts ...");
-    return answer_to(asked.question);
-  }();
+  const auto result = worked_out("following the starts ...", [&] { return answer_to(asked.question); });
   write_outputs(o, result, asked.file, asked.units);
-  return result.interrupted ? exit_interrupted : exit_decided;
+  return exit_of(result.interrupted, true);
 }
 
 }  // namespace
@@ -55,47 +50,32 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Examples& 
   const AttractorQuestion& question = asked.question;
   const Jobs limit = jobs(options.jobs);
   require_outputs(options);
-  const AttractorList list = [&] {
-    const Interruptible scope;
-    const Progress progress("following the starts ...");
-    return find_attractors(question);
-  }();
+  const AttractorList list =
+      worked_out("following the starts ...", [&] { return find_attractors(question); });
   std::optional<Basins> basins;
   if (options.out && !list.interrupted) {
-    const Interruptible scope;
-    const Progress progress("following starts in a plane ...");
     constexpr long pixels = AttractorsOptions::pixels_beside_starts;
-    basins = basins_of({question, {0, 1}, {}, {pixels, pixels}});
+    basins = worked_out("following starts in a plane ...", [&] {
+      return basins_of({question, {0, 1}, {}, {pixels, pixels}});
+    });
   }
-  if (options.out) {
-    const Progress progress("making the page ...");
-    report::tools::write_files(
-        *options.out,
-        report::orbits::pages(list, basins, {asked.file.name, asked.file.machine, asked.units}));
-  }
-  print_result(list, asked.file, options.json, asked.units);
-  if (options.out) {
-    tell(fmt::format("The report is in {}: index.html.", *options.out));
-  }
-  if (list.interrupted) {
-    return exit_interrupted;
-  }
-  const bool decided = std::all_of(list.attractors.begin(), list.attractors.end(), [](const Attractor& a) {
-    return a.kind != Kind::periodic || (a.orbit && is_decided(*a.orbit));
-  });
-  return decided ? exit_decided : exit_undecided;
+  write_page(
+      options,
+      [&] {
+        return report::orbits::pages(list, basins, {asked.file.name, asked.file.machine, asked.units});
+      },
+      [&] { print_result(list, asked.file, options.json, asked.units); });
+  return exit_of(list.interrupted, std::ranges::all_of(list.attractors, [](const Attractor& a) {
+                   return a.kind != Kind::periodic || (a.orbit && is_decided(*a.orbit));
+                 }));
 }
 
 ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Examples& examples) {
   if (o.plane && (o.neighbourhood || o.window)) {
     const auto asked = asked_basins(as_text(o), examples);
-    AttractorsOptions rest = o;
-    rest.example.clear();
-    rest.parameters.clear();
-    rest.si = false;
     return run_plane(as_tables(asked.question.machine.machine, asked.file, asked.units,
                                "--plane with --neighbourhood or --window"),
-                     rest);
+                     without_machine(o));
   }
   return o.plane ? answer(o, asked_basins(o, examples), basins_of)
                  : answer(o, asked_diagram(o, examples), diagram_of);

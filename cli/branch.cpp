@@ -61,7 +61,7 @@ ExitCode run(const BranchOptions& o, const proofs::methods::Examples& examples) 
     return std::pair(asked.file, std::move(followed));
   }();
   write_outputs(o, list, file);
-  return list.interrupted ? exit_interrupted : is_decided(list) ? exit_decided : exit_undecided;
+  return exit_of(list.interrupted, is_decided(list));
 }
 
 }  // namespace stickslip::cli

@@ -8,13 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/certify.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "proofs/certificates/certificates.hpp"
-#include "report/audit/ask_coq.hpp"
 #include "report/audit/certificate_record.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/json.hpp"

@@ -1,11 +1,13 @@
-// stickslip check: single statements, equations, sections.
+// stickslip check: single statements, equations, sections; below, prove and latex.
 #include <fmt/format.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/latex_text.hpp"
 #include "cli/output.hpp"
 #include "cli/typed_parameters.hpp"
 #include "core/error.hpp"
@@ -116,6 +118,23 @@ ExitCode run(const ProveOptions& options, const methods::Paper& paper) {
   certify.words = {methods::own_id};
   certify.out = options.certificate;
   return run(certify, with_own);
+}
+
+// stickslip latex: derived expressions, statements, theorems and orbits for papers.
+
+ExitCode run(const LatexOptions& options, const proofs::methods::Paper& paper) {
+  const LatexText made = [&] {
+    std::optional<Progress> progress;
+    if (!options.orbit.empty()) {
+      progress.emplace("searching for orbits ...");
+    }
+    return latex_text(options, paper, prove);
+  }();
+  for (const std::string& sentence : made.left_out) {
+    tell(sentence);
+  }
+  print(made.text);
+  return exit_decided;
 }
 
 }  // namespace stickslip::cli

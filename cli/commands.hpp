@@ -1,11 +1,13 @@
 // The commands of the program, about a paper. Each throws Error.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 
 #include "cli/arguments.hpp"
 #include "core/error.hpp"
 #include "numeric/words/word_orbit.hpp"
+#include "proofs/certificates/certificates.hpp"
 #include "proofs/methods/paper.hpp"
 
 namespace stickslip::cli {
@@ -35,5 +37,12 @@ struct GivenInTables;
 [[nodiscard]] bool is_decided(const numeric::words::WordOrbit& orbit);
 [[nodiscard]] ExitCode run(const AtlasOptions& options, const proofs::methods::Examples& examples);
 [[nodiscard]] ExitCode run(const SimulateOptions& options, const proofs::methods::Examples& examples);
+
+// Directories of certificates. Throws UsageError if the directory holds other things.
+void require_certificates_only(const std::filesystem::path& directory);
+// Only what differs, so that Coq need not look again at what it has seen; what is left of statements that are
+// not among these goes.
+void write_certificates(const std::filesystem::path& directory,
+                        const proofs::certificates::Certificates& certificates);
 
 }  // namespace stickslip::cli

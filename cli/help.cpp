@@ -256,7 +256,7 @@ UsageError not_understood(const CLI::App& program, const CLI::ParseError& error)
 void require_command(const CLI::App& program) {
   const std::vector<std::string> strangers = program.remaining();
   std::vector<std::string> names;
-  for (const CLI::App * command : program.get_subcommands([](const CLI::App *) { return true; })) {
+  for (const CLI::App * command : commands_of(program)) {
     names.push_back(command->get_name());
   }
   const std::string last = names.back();

@@ -48,7 +48,7 @@ void refuse_others(const GivenMachine& o, const std::string& file, bool takes_ph
 }
 
 AnyState state_for(const GivenInTables& given, const char * name, const State& state) {
-  const std::size_t n = given.read.machine.oscillator.size();
+  const std::size_t n = given.machine.oscillator.size();
   if (state.size() != 2 * n) {
     throw UsageError(
         fmt::format("{}: the positions of the {} {} and then their velocities are {} numbers, not {}", name,
@@ -69,17 +69,17 @@ Word word_for(const GivenInTables& given, const std::string& text, const char * 
         fmt::format("stickslip {} of a machine in tables, {}, is for a word of phases such as OTS, not for a "
                     "family of the "
                     "paper's oscillator",
-                    command, given.file));
+                    command, given.origin.file));
   }
   return Word::parse(text);
 }
 
 MachineWord question_for(const GivenInTables& given, const std::string& text, const char * command,
                          std::optional<int> period, const std::optional<State>& near) {
-  MachineWord q{given.read.machine, word_for(given, text, command), {}, {}};
+  MachineWord q{given.machine, word_for(given, text, command), {}, {}};
   if (period && q.machine.oscillator.is_autonomous()) {
     throw UsageError(
-        fmt::format("--period counts periods of the load, and {} has none that varies", given.file));
+        fmt::format("--period counts periods of the load, and {} has none that varies", given.origin.file));
   }
   q.periods = period ? std::optional<long>(*period) : std::nullopt;
   if (near) {
@@ -89,22 +89,23 @@ MachineWord question_for(const GivenInTables& given, const std::string& text, co
 }
 
 struct AlongPath {
-  std::string path;
-  Rational from, to;
+  report::machines::Varied varied;  // without a start
   std::function<Machine(const Rational&)> at;
 };
 
 AlongPath along_path(const GivenInTables& given, const Ranges& along) {
   if (along.empty()) {
     throw UsageError(fmt::format(
-        "what varies is missing: --along PATH A..B, PATH such as belt.velocity in {}", given.file));
+        "what varies is missing: --along PATH A..B, PATH such as belt.velocity in {}", given.origin.file));
   }
   if (along.size() > 1) {
     throw UsageError(fmt::format("--along is for one number here, not for {} of them", along.size()));
   }
   const std::string& path = along.front().first;
   const auto [from, to] = interval(path, along.front().second);
-  return {path, from, to, [with = given.with, path](const Rational& value) { return with({{path, value}}); }};
+  return {{path, from, to, {}}, [with = given.with, path](const Rational& value) {
+            return with({{path, value}});
+          }};
 }
 
 // Where motions are looked for: at what the file says, or in the middle where that is not in the interval.
@@ -131,18 +132,13 @@ std::vector<std::size_t> wanted(const MachineWordOrbits& found, const BranchOpti
   return places;
 }
 
-report::machines::Origin origin(const GivenInTables& given) {
-  return {given.file, given.read.in_SI, given.options};
+report::machines::FromOrbits from_orbits(const GivenInTables& given, const MachineWordOrbits& found,
+                                         const BranchOptions& o) {
+  return {found.question, given.origin, o.orbit, o.all, found.seen, found.interrupted};
 }
 
 void surround(MachineOrbit& orbit, const Machine& machine) {
   orbit.neighbourhood = std::make_shared<Neighbourhood>(neighbourhood_of(machine, orbit));
-}
-
-bool is_decided(const MachineOrbit& orbit) {
-  return orbit.existence.truth == Truth::proved &&
-         (orbit.admissible.truth == Truth::refuted ||
-          (orbit.stability && orbit.stability->kind != numeric::motion::StabilityKind::undecided));
 }
 
 }  // namespace
@@ -175,9 +171,8 @@ GivenInTables as_tables(const numeric::words::WordQuestion& machine, const Param
       }
       return machine_of(machine_in_SI(there, name, FrictionAtRest::needed));
     };
-    return {file.name,
-            {machine_of(file.machine->machine), true},
-            "--params " + file.name + " --units si",
+    return {{file.name, true, "--params " + file.name + " --units si"},
+            machine_of(file.machine->machine),
             with,
             value};
   }
@@ -206,7 +201,7 @@ GivenInTables as_tables(const numeric::words::WordQuestion& machine, const Param
     return *place(there.data, there.ur, name);
   };
   return {
-      "the paper's oscillator", {with({}), false}, options + "--ur " + to_string(machine.ur), with, value};
+      {"the paper's oscillator", false, options + "--ur " + to_string(machine.ur)}, with({}), with, value};
 }
 
 std::pair<GivenInTables, BranchOptions> box_in_tables(const BranchOptions& o,
@@ -216,11 +211,7 @@ std::pair<GivenInTables, BranchOptions> box_in_tables(const BranchOptions& o,
         "several --along are for a word of phases such as OTS; of a family stickslip atlas maps a box");
   }
   const auto asked = asked_box(o, examples);
-  BranchOptions rest = o;
-  rest.example.clear();
-  rest.parameters.clear();
-  rest.si = false;
-  return {as_tables(asked.question, asked.file, asked.units, "a box of data"), rest};
+  return {as_tables(asked.question, asked.file, asked.units, "a box of data"), without_machine(o)};
 }
 
 std::optional<GivenInTables> given_in_tables(const GivenMachine& options) {
@@ -232,22 +223,20 @@ std::optional<GivenInTables> given_in_tables(const GivenMachine& options) {
   if (!read) {
     return std::nullopt;
   }
-  GivenInTables given{options.file.name, *read};
-  given.with = [text, file = given.file](const std::vector<Datum>& data) {
-    return machine_in_tables(text, file, data)->machine;
-  };
-  given.value = [text, file = given.file](const std::string& path) {
-    return value_in_tables(text, file, path);
-  };
-  return given;
+  const std::string& file = options.file.name;
+  return GivenInTables{
+      {file, read->in_SI},
+      read->machine,
+      [text, file](const std::vector<Datum>& data) { return machine_in_tables(text, file, data)->machine; },
+      [text, file](const std::string& path) { return value_in_tables(text, file, path); }};
 }
 
 namespace {
 
 MachineStarts starts_of(const GivenInTables& given, const AttractorsOptions& o, int starts) {
-  refuse_others(o, given.file, false, {});
+  refuse_others(o, given.origin.file, false, {});
   require_sense(o);
-  return {given.read.machine, o.starts.value_or(starts), static_cast<std::uint64_t>(o.seed.value_or(1)),
+  return {given.machine, o.starts.value_or(starts), static_cast<std::uint64_t>(o.seed.value_or(1)),
           o.most_periods.value_or(AttractorsOptions::default_most_periods),
           o.digits.value_or(OrbitsOptions::default_digits)};
 }
@@ -255,31 +244,32 @@ MachineStarts starts_of(const GivenInTables& given, const AttractorsOptions& o, 
 }  // namespace
 
 report::machines::Attractors answer(const GivenInTables& given, const AttractorsOptions& o) {
-  MachineAttractors list = find_attractors(starts_of(given, o, AttractorsOptions::default_starts));
+  report::machines::Attractors list{find_attractors(starts_of(given, o, AttractorsOptions::default_starts)),
+                                    given.origin};
   for (MachineAttractor& a : list.attractors) {
     if (o.neighbourhood && a.orbit) {
-      surround(*a.orbit, given.read.machine);
+      surround(*a.orbit, given.machine);
     }
   }
-  return {list, origin(given)};
+  return list;
 }
 
 report::machines::Diagram diagram_answer(const GivenInTables& given, const AttractorsOptions& o) {
   MachineDiagram diagram;
   diagram.question = starts_of(given, o, AttractorsOptions::default_starts_at_value);
-  const auto [path, from, to, at] = along_path(given, o.along);
-  (void)given.value(path);
+  const auto [varied, at] = along_path(given, o.along);
+  (void)given.value(varied.path);
   diagram.at = at;
-  diagram.from = from;
-  diagram.to = to;
+  diagram.from = varied.from;
+  diagram.to = varied.to;
   diagram.values = values_of(o);
-  return {along(std::move(diagram)), path, origin(given)};
+  return {along(std::move(diagram)), varied.path, given.origin};
 }
 
 report::machines::Basins basins_answer(const GivenInTables& given, const AttractorsOptions& o) {
   MachineBasins basins;
   basins.question = starts_of(given, o, 1);
-  basins.across = plane("plane", o.plane.value(), given.read.machine.oscillator.size());
+  basins.across = plane("plane", o.plane.value(), given.machine.oscillator.size());
   const long pixels = pixels_of(o);
   basins.pixels = {pixels, pixels};
   if (o.through) {
@@ -293,21 +283,21 @@ report::machines::Basins basins_answer(const GivenInTables& given, const Attract
     basins.half = {half[0], half[1]};
   }
   basins.prove = o.neighbourhood;
-  return {in_plane(std::move(basins)), origin(given)};
+  return {in_plane(std::move(basins)), given.origin};
 }
 
 report::machines::WordOrbits answer(const GivenInTables& given, const OrbitsOptions& o) {
   require_no_basin(o.basin);
   MachineWord q = question_for(given, o.family, "orbits", o.period, o.near);
-  refuse_others(o, given.file, false, {"--cells", "--time", "--certify", "--all", "--plot"});
+  refuse_others(o, given.origin.file, false, {"--cells", "--time", "--certify", "--all", "--plot"});
   q.digits = o.digits.value_or(OrbitsOptions::default_digits);
-  MachineWordOrbits list = find_word_orbits(q);
+  report::machines::WordOrbits list{find_word_orbits(q), given.origin};
   for (MachineOrbit& orbit : list.orbits) {
     if (o.neighbourhood) {
-      surround(orbit, given.read.machine);
+      surround(orbit, given.machine);
     }
   }
-  return {list, origin(given)};
+  return list;
 }
 
 namespace {
@@ -328,26 +318,27 @@ Rectangle rectangle(const std::string& text) {
 
 report::machines::Steady steady_answer(const GivenInTables& given, const OrbitsOptions& o) {
   refuse_others(
-      o, given.file, false,
+      o, given.origin.file, false,
       {"--period", "--near", "--cells", "--time", "--certify", "--plot", "--out", "--neighbourhood"});
   const int digits = o.digits.value_or(OrbitsOptions::default_digits);
-  report::machines::Steady result{given.read.machine, steady_sliding(given.read.machine, digits), digits,
-                                  origin(given)};
+  report::machines::Steady result{
+      {given.machine, digits}, steady_sliding(given.machine, digits), given.origin};
   if (o.basin) {
     const Rectangle starts = rectangle(*o.basin);
-    result.basin = {starts, planar_basin(given.read.machine, starts, digits)};
+    result.basin = {starts, planar_basin(given.machine, starts, digits)};
   }
   return result;
 }
 
 report::machines::SteadyBranch steady_answer(const GivenInTables& given, const BranchOptions& o) {
   refuse_others(
-      o, given.file, false,
+      o, given.origin.file, false,
       {"--period", "--near", "--orbit", "--at", "--without-gaps", "--parts", "--csv", "--plot", "--out"});
-  const auto [path, from, to, at] = along_path(given, o.along);
+  const auto [varied, at] = along_path(given, o.along);
+  const auto& [path, from, to, start] = varied;
   const int digits = OrbitsOptions::default_digits;
   report::machines::SteadyBranch result{
-      given.read.machine, path, from, to, steady_sliding_along(at, from, to, digits), digits, origin(given)};
+      {given.machine, digits}, varied, steady_sliding_along(at, from, to, digits), given.origin};
   if (o.basin) {
     const Rectangle starts = rectangle(*o.basin);
     result.basins = {starts, planar_basin_along(at, from, to, starts, digits)};
@@ -357,32 +348,21 @@ report::machines::SteadyBranch steady_answer(const GivenInTables& given, const B
 
 report::machines::Branches answer(const GivenInTables& given, const BranchOptions& o) {
   require_no_basin(o.basin);
-  const auto [path, from, to, at] = along_path(given, o.along);
-  const Rational in_file = start_in(given, path, from, to);
-  const Rational start = o.at.value_or(in_file);
+  auto [varied, at] = along_path(given, o.along);
+  auto& [path, from, to, start] = varied;
+  start = o.at.value_or(start_in(given, path, from, to));
   if (start < from || start > to) {
     throw UsageError(fmt::format("at: {} = {} is not in the interval {}..{}", path, to_string(start),
                                  to_string(from), to_string(to)));
   }
   MachineWord q = question_for(given, o.family, "branch", o.period, o.near);
-  refuse_others(o, given.file, false, {});
+  refuse_others(o, given.origin.file, false, {});
   if (o.parts) {
     throw UsageError("--parts is for several --along");
   }
   q.machine = at(start);
   const MachineWordOrbits found = find_word_orbits(q);
-  report::machines::Branches result{q,
-                                    path,
-                                    from,
-                                    to,
-                                    start,
-                                    o.orbit,
-                                    o.all,
-                                    o.without_gaps,
-                                    {},
-                                    found.seen,
-                                    found.interrupted,
-                                    origin(given)};
+  report::machines::Branches result{from_orbits(given, found, o), varied, o.without_gaps};
   for (const std::size_t k : wanted(found, o, path + " = " + to_string(start))) {
     result.branches.push_back(follow_machine_branch(
         {at, from, to, start, guess_of(found.orbits[k], q.machine), q.digits, o.without_gaps}));
@@ -393,63 +373,60 @@ report::machines::Branches answer(const GivenInTables& given, const BranchOption
 
 report::machines::OverBox box_answer(const GivenInTables& given, const BranchOptions& o) {
   require_no_basin(o.basin);
-  report::machines::OverBox result{.question = question_for(given, o.family, "branch", o.period, o.near)};
+  MachineWord q = question_for(given, o.family, "branch", o.period, o.near);
+  std::vector<report::machines::Varied> varied;
   DataBox box;
   Values start;
   for (const auto& [path, range] : o.along) {
     const std::string& name = path;
     if (std::ranges::count(o.along, name, [](const auto& one) { return one.first; }) > 1) {
-      throw UsageError(fmt::format("{}: {} and {} vary together: give one of them", given.file, name, name));
+      throw UsageError(
+          fmt::format("{}: {} and {} vary together: give one of them", given.origin.file, name, name));
     }
     const auto [from, to] = interval(path, range);
-    result.data.push_back({path, from, to, start_in(given, path, from, to)});
+    varied.push_back({path, from, to, start_in(given, path, from, to)});
     box.low.push_back(from);
     box.high.push_back(to);
-    start.push_back(result.data.back().start);
+    start.push_back(varied.back().start);
   }
   box.at = [&](const Values& values) {
     std::vector<Datum> data;
     for (std::size_t k = 0; k < values.size(); ++k) {
-      data.push_back({result.data[k].path, values[k]});
+      data.push_back({varied[k].path, values[k]});
     }
     return given.with(data);
   };
-  refuse_others(o, given.file, false, {});
+  refuse_others(o, given.origin.file, false, {});
   if (o.at) {
     throw UsageError("--at is for one --along: of several the orbits are looked for at what is given");
   }
-  result.orbit = o.orbit;
-  result.all = o.all;
-  result.most_parts = o.parts.value_or(BranchOptions::default_parts);
-  result.origin = origin(given);
-  result.question.machine = box.at(start);
-  const MachineWordOrbits found = find_word_orbits(result.question);
-  result.seen = found.seen;
+  q.machine = box.at(start);
+  const MachineWordOrbits found = find_word_orbits(q);
+  report::machines::OverBox result{from_orbits(given, found, o), varied,
+                                   o.parts.value_or(BranchOptions::default_parts)};
   constexpr int most_halvings = 40;
   for (const std::size_t k : wanted(found, o, "the file's data")) {
-    const MotionAt motion{start, guess_of(found.orbits[k], result.question.machine)};
+    const MotionAt motion{start, guess_of(found.orbits[k], q.machine)};
     result.motions.push_back(
         {found.orbits[k],
          motions_over(box, {motion}, {.most_halvings = most_halvings, .most_parts = result.most_parts})});
   }
-  result.interrupted = found.interrupted || interrupted();
+  result.interrupted = result.interrupted || interrupted();
   return result;
 }
 
 namespace {
 
 // The start, the load's phase there and the duration.
-report::machines::Motion start_of(const GivenInTables& given, const SimulateOptions& o) {
-  refuse_others(o, given.file, true, {"--orbit", "--plot"});
+report::machines::MotionQuestion start_of(const GivenInTables& given, const SimulateOptions& o) {
+  refuse_others(o, given.origin.file, true, {"--orbit", "--plot"});
   if (!o.state) {
     throw UsageError(
         fmt::format("the start is missing: --state, the positions of all masses of {} and then their "
                     "velocities",
-                    given.file));
+                    given.origin.file));
   }
-  report::machines::Motion result;
-  result.machine = given.read.machine;
-  result.origin = origin(given);
+  report::machines::MotionQuestion result{given.machine};
   const auto oscillator = oscillator_as<double>(result.machine);
   const bool autonomous = oscillator.is_autonomous();
   result.start = state_for(given, "state", *o.state);
@@ -464,7 +441,7 @@ report::machines::Motion start_of(const GivenInTables& given, const SimulateOpti
     throw UsageError(
         fmt::format("{} has no load that varies: --time T says how long, and neither --periods nor "
                     "--phi goes with it",
-                    given.file));
+                    given.origin.file));
   }
   if (o.periods && o.duration) {
     throw UsageError("--periods and --time do not go together");
@@ -482,24 +459,24 @@ report::machines::SetMotion set_answer(const GivenInTables& given, const Simulat
       throw UsageError(fmt::format("{} is for one motion, not for a set of them", name));
     }
   }
-  const report::machines::Motion one = start_of(given, o);
+  const report::machines::MotionQuestion one = start_of(given, o);
   const AnyState half = state_for(given, "set", *o.set);
-  return {set_after({one.machine, one.start, half, one.theta, one.duration}), one.origin};
+  return {set_after({one.machine, one.start, half, one.theta, one.duration}), given.origin};
 }
 
 report::machines::Motion answer(const GivenInTables& given, const SimulateOptions& o,
                                 const std::function<bool(double)>& go_on,
                                 const std::function<void(const SampleOfMachine&)>& take) {
-  report::machines::Motion result = start_of(given, o);
-  const auto oscillator = oscillator_as<double>(result.machine);
+  report::machines::MotionQuestion q = start_of(given, o);
+  const auto oscillator = oscillator_as<double>(q.machine);
   if (take) {
     const double period =
-        oscillator.is_autonomous() ? result.duration : 2 * numeric::scalars::pi<double>() / oscillator.omega;
-    result.every = o.every.value_or(period / SimulateOptions::samples_in_period);
+        oscillator.is_autonomous() ? q.duration : 2 * numeric::scalars::pi<double>() / oscillator.omega;
+    q.every = o.every.value_or(period / SimulateOptions::samples_in_period);
   }
-  result.record = numeric::simulation::record_motion(oscillator, result.theta, result.start,
-                                                     {result.duration, result.every}, go_on, take);
-  return result;
+  return {
+      q, given.origin,
+      numeric::simulation::record_motion(oscillator, q.theta, q.start, {q.duration, q.every}, go_on, take)};
 }
 
 bool is_steady(const std::string& word) {
@@ -510,68 +487,6 @@ void require_no_basin(const std::optional<std::string>& basin) {
   if (basin) {
     throw UsageError("--basin is for steady sliding, S, of a machine in tables");
   }
-}
-
-ExitCode exit_of(const report::machines::Attractors& result) {
-  const bool decided = std::ranges::all_of(result.list.attractors, [](const MachineAttractor& a) {
-    return a.kind != numeric::attractors::Kind::periodic || (a.orbit && is_decided(*a.orbit));
-  });
-  return result.list.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
-}
-
-ExitCode exit_of(const report::machines::Diagram& result) {
-  return result.diagram.interrupted ? exit_interrupted : exit_decided;
-}
-
-ExitCode exit_of(const report::machines::Basins& result) {
-  return result.basins.interrupted ? exit_interrupted : exit_decided;
-}
-
-ExitCode exit_of(const report::machines::WordOrbits& result) {
-  const bool decided = !result.list.orbits.empty() && std::ranges::all_of(result.list.orbits, is_decided);
-  return result.list.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
-}
-
-ExitCode exit_of(const report::machines::OverBox& result) {
-  const bool decided = !result.motions.empty() && std::ranges::all_of(result.motions, [](const auto& motion) {
-    return std::ranges::all_of(motion.parts, [](const PartOfBox& part) {
-      return part.existence.truth == Truth::proved && numeric::machines::is_decided(part.motions.state);
-    });
-  });
-  return result.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
-}
-
-ExitCode exit_of(const report::machines::Branches& result) {
-  const bool decided = !result.branches.empty() &&
-                       std::ranges::all_of(result.branches, [](const auto& b) { return b.resolved(); });
-  return result.interrupted ? exit_interrupted : decided ? exit_decided : exit_undecided;
-}
-
-namespace {
-
-bool is_decided(const SteadySliding& state) {
-  return state.existence.truth == Truth::refuted ||
-         (state.existence.truth == Truth::proved &&
-          state.stability != numeric::motion::StabilityKind::undecided);
-}
-bool is_decided(const PlanarBasin& basin) {
-  return basin.verdict.truth == Truth::refuted ||
-         (basin.verdict.truth == Truth::proved && basin.others.truth == Truth::proved);
-}
-
-}  // namespace
-
-ExitCode exit_of(const report::machines::Steady& result) {
-  return is_decided(result.state) && (!result.basin || is_decided(result.basin->basin)) ? exit_decided
-                                                                                        : exit_undecided;
-}
-
-ExitCode exit_of(const report::machines::SteadyBranch& result) {
-  const bool decided =
-      std::ranges::all_of(result.along.samples, [](const auto& s) { return is_decided(s.state); }) &&
-      (!result.basins ||
-       std::ranges::all_of(result.basins->along.samples, [](const auto& s) { return is_decided(s.basin); }));
-  return decided ? exit_decided : exit_undecided;
 }
 
 }  // namespace stickslip::cli

@@ -20,9 +20,8 @@ namespace stickslip::cli {
 
 // A machine, and its numbers by their paths.
 struct GivenInTables {
-  std::string file;
-  MachineInTables read;
-  std::string options = "--params " + file;  // that give it to a command
+  report::machines::Origin origin;
+  numeric::machines::Machine machine;
   // With other numbers; what is given there. Throw UsageError for a path that no number that can vary has.
   std::function<numeric::machines::Machine(const std::vector<Datum>&)> with = {};
   std::function<Rational(const std::string&)> value = {};
@@ -32,6 +31,14 @@ struct GivenInTables {
 // `why`, an option, is asked for in them: else UsageError.
 [[nodiscard]] GivenInTables as_tables(const numeric::words::WordQuestion& machine, const ParameterFile& file,
                                       const report::orbits::Units& units, const char * why);
+// What is then asked of it: nothing beside says what it is.
+template <class Options>
+[[nodiscard]] Options without_machine(Options options) {
+  options.example.clear();
+  options.parameters.clear();
+  options.si = false;
+  return options;
+}
 // For several --along, and what is then asked of it. Throws UsageError for a family of orbits.
 [[nodiscard]] std::pair<GivenInTables, BranchOptions> box_in_tables(
     const BranchOptions& o, const proofs::methods::Examples& examples);
@@ -67,15 +74,5 @@ void require_no_basin(const std::optional<std::string>& basin);
 
 // With --set: of all motions from a box of starts.
 [[nodiscard]] report::machines::SetMotion set_answer(const GivenInTables& given, const SimulateOptions& o);
-
-// exit_interrupted, exit_undecided where something is, else exit_decided.
-[[nodiscard]] ExitCode exit_of(const report::machines::Attractors& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::Diagram& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::Basins& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::WordOrbits& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::Branches& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::OverBox& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::Steady& result);
-[[nodiscard]] ExitCode exit_of(const report::machines::SteadyBranch& result);
 
 }  // namespace stickslip::cli

@@ -1,61 +1,80 @@
 // The commands about motions, of a machine in tables.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
-#include <string>
 
 #include "cli/answer.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine_answers.hpp"
-#include "core/interruption.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::cli {
 
 namespace {
 
-// What texts, tables and pictures are made of.
-template <class Result>
-decltype(auto) seen(const Result& result) {
-  if constexpr (requires { report::machines::told(result); }) {
-    return report::machines::told(result);
-  } else {
-    return result;
-  }
-}
+using numeric::motion::StabilityKind;
 
-template <class Result>
-void print_told(const Result& result, bool json) {
-  print(json ? report::tools::to_text(report::machines::to_json(result))
-             : terminal_report(seen(result), terminal_style()));
+// Whether all is that was asked.
+bool is_answered(const numeric::machines::MachineOrbit& orbit) {
+  return orbit.existence.truth == Truth::proved &&
+         (orbit.admissible.truth == Truth::refuted ||
+          (orbit.stability && orbit.stability->kind != StabilityKind::undecided));
+}
+bool is_answered(const report::machines::Attractors& result) {
+  return std::ranges::all_of(result.attractors, [](const numeric::machines::MachineAttractor& a) {
+    return a.kind != numeric::attractors::Kind::periodic || (a.orbit && is_answered(*a.orbit));
+  });
+}
+bool is_answered(const report::machines::Diagram& /*result*/) {
+  return true;
+}
+bool is_answered(const report::machines::Basins& /*result*/) {
+  return true;
+}
+bool is_answered(const report::machines::WordOrbits& result) {
+  return !result.orbits.empty() &&
+         std::ranges::all_of(result.orbits, [](const auto& orbit) { return is_answered(orbit); });
+}
+bool is_answered(const report::machines::OverBox& result) {
+  return !result.motions.empty() && std::ranges::all_of(result.motions, [](const auto& motion) {
+    return std::ranges::all_of(motion.parts, [](const numeric::machines::PartOfBox& part) {
+      return part.existence.truth == Truth::proved && numeric::machines::is_decided(part.motions.state);
+    });
+  });
+}
+bool is_answered(const report::machines::Branches& result) {
+  return !result.branches.empty() &&
+         std::ranges::all_of(result.branches, [](const auto& b) { return b.resolved(); });
+}
+bool is_answered(const numeric::machines::SteadySliding& state) {
+  return state.existence.truth == Truth::refuted ||
+         (state.existence.truth == Truth::proved && state.stability != StabilityKind::undecided);
+}
+bool is_answered(const numeric::machines::PlanarBasin& basin) {
+  return basin.verdict.truth == Truth::refuted ||
+         (basin.verdict.truth == Truth::proved && basin.others.truth == Truth::proved);
+}
+bool is_answered(const report::machines::Steady& result) {
+  return is_answered(result.state) && (!result.basin || is_answered(result.basin->basin));
+}
+bool is_answered(const report::machines::SteadyBranch& result) {
+  return std::ranges::all_of(result.along.samples, [](const auto& s) { return is_answered(s.state); }) &&
+         (!result.basins || std::ranges::all_of(result.basins->along.samples,
+                                                [](const auto& s) { return is_answered(s.basin); }));
 }
 
 template <class Options, class Answer>
 ExitCode told(const GivenInTables& given, const Options& o, const char * doing, const Answer& answer_to) {
   const Jobs limit = jobs(o.jobs);
   require_outputs(o);
-  const auto result = [&] {
-    const Interruptible scope;
-    const Progress progress(doing);
-    return answer_to(given, o);
-  }();
-  if constexpr (requires { to_csv(seen(result)); }) {
-    if (o.csv) {
-      report::tools::write_file(*o.csv, to_csv(seen(result)));
-    }
-    if (o.plot) {
-      draw(*o.plot, plot_script(seen(result), report::tools::plot_format(*o.plot)));
-    }
+  const auto result = worked_out(doing, [&] { return answer_to(given, o); });
+  if constexpr (requires { to_csv(result); }) {
+    write_table_and_picture(o, result);
   }
-  if (o.out) {
-    const Progress progress("making the page ...");
-    report::tools::write_files(*o.out, report::machines::pages(result));
-  }
-  print_told(result, o.json);
-  if (o.out) {
-    tell(fmt::format("The report is in {}: index.html.", *o.out));
-  }
-  return exit_of(result);
+  write_page(
+      o, [&] { return report::machines::pages(result); }, [&] { print_result(result, {}, o.json); });
+  return exit_of(result.interrupted, is_answered(result));
 }
 
 constexpr auto answered = [](const GivenInTables& given, const auto& o) { return answer(given, o); };
@@ -67,8 +86,8 @@ ExitCode steady(const GivenInTables& given, const Options& o) {
     const Progress progress("looking at steady sliding ...");
     return steady_answer(given, o);
   }();
-  print_told(result, o.json);
-  return exit_of(result);
+  print_result(result, {}, o.json);
+  return exit_of(false, is_answered(result));
 }
 
 }  // namespace
@@ -82,13 +101,9 @@ ExitCode run_box(const GivenInTables& given, const BranchOptions& o) {
 }
 
 ExitCode run_set(const GivenInTables& given, const SimulateOptions& o) {
-  const report::machines::SetMotion result = [&] {
-    const Interruptible scope;
-    const Progress progress("following the set ...");
-    return set_answer(given, o);
-  }();
-  print_told(result, o.json);
-  return result.set.interrupted ? exit_interrupted : result.set.open.empty() ? exit_decided : exit_undecided;
+  const auto result = worked_out("following the set ...", [&] { return set_answer(given, o); });
+  print_result(result, {}, o.json);
+  return exit_of(result.interrupted, result.open.empty());
 }
 
 std::optional<ExitCode> run_in_tables(const AttractorsOptions& o) {
@@ -134,26 +149,21 @@ std::optional<ExitCode> run_in_tables(const SimulateOptions& o) {
   if (o.csv) {
     file.emplace(*o.csv);
   }
-  report::machines::Motion names;
-  names.machine = given->read.machine;
-  names.origin = {given->file, given->read.in_SI};
   if (file) {
-    file->append(report::machines::csv_names(names));
+    file->append(report::machines::csv_names({{given->machine}, given->origin}));
   }
   const auto take = [&](const SampleOfMachine& sample) { file->append(report::machines::csv_line(sample)); };
-  const report::machines::Motion result = [&] {
-    const Interruptible scope;
-    const Progress progress("simulating ...");
+  const report::machines::Motion result = worked_out("simulating ...", [&] {
     return answer(
         *given, o, [](double) { return !interrupted(); },
         file ? std::function<void(const SampleOfMachine&)>(take) : nullptr);
-  }();
+  });
   if (file) {
     file->complete();
     file->take_place();
   }
-  print_told(result, o.json);
-  return result.record.interrupted ? exit_interrupted : exit_decided;
+  print_result(result, {}, o.json);
+  return exit_of(result.record.interrupted, true);
 }
 
 }  // namespace stickslip::cli

@@ -1,6 +1,5 @@
 // The program: what the arguments ask for, and what the exit code says.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/Version.hpp>
@@ -103,17 +102,11 @@ PaperInHelp in_help() {
       "parameters; "
       "printed numbers are compared with rigorous enclosures.",
       source.author, source.title, source.journal);
-  return {fmt::format("{}", fmt::join(report::tools::wrapped(about, width_of_help), "\n")),
+  return {report::tools::enumerated(report::tools::wrapped(about, width_of_help), std::identity(), "\n"),
           names_of(proofs::pascal2012::printed_examples()),
           numeric::families::names_of_families(),
           families(),
-          [] {
-            std::vector<std::string> places;
-            for (const Section& section : paper().sections) {
-              places.push_back(section.id);
-            }
-            return fmt::format("{}", fmt::join(places, ", "));
-          },
+          [] { return report::tools::enumerated(paper().sections, &Section::id); },
           [] { return id_of_a_part(paper().claims); },
           completions};
 }

@@ -6,12 +6,10 @@
 
 #include "cli/answer.hpp"
 #include "cli/asked.hpp"
-#include "cli/certify.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine_answers.hpp"
 #include "cli/orbit_data.hpp"
 #include "cli/typed_parameters.hpp"
-#include "core/interruption.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/words/word.hpp"
 #include "proofs/methods/prover.hpp"
@@ -31,9 +29,7 @@ namespace {
 template <class Search>
 auto found(const OrbitsOptions& options, const Search& search) {
   const zeros::Effort patience{options.cells, options.time};
-  const Interruptible scope;
-  const Progress progress("searching for orbits ...");
-  return search();
+  return worked_out("searching for orbits ...", search);
 }
 
 // All that is asked for: the picture, the pages, the list.
@@ -71,7 +67,7 @@ ExitCode run_pure(motion::PhaseKind kind, const OrbitsOptions& options,
   const Jobs limit = jobs(options.jobs);
   const report::orbits::PureWord word{machine, kind};
   print_result(word, file, options.json, units);
-  return report::orbits::exists(word).truth == Truth::undecided ? exit_undecided : exit_decided;
+  return exit_of(false, report::orbits::exists(word).truth != Truth::undecided);
 }
 
 // One claim for each admissible orbit: that it exists, and, where that is decided, whether it is stable.
@@ -151,10 +147,7 @@ ExitCode run_family(const OrbitsOptions& options, const proofs::methods::Example
     certify(list, options.certify);
   }
   tell_list(options, asked, list);
-  if (std::ranges::count(list.remarks, Remark::interrupted) > 0) {
-    return exit_interrupted;
-  }
-  return all_decided(list) ? exit_decided : exit_undecided;
+  return exit_of(std::ranges::count(list.remarks, Remark::interrupted) > 0, all_decided(list));
 }
 
 ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Examples& examples) {
@@ -169,11 +162,8 @@ ExitCode run_word(const OrbitsOptions& options, const proofs::methods::Examples&
   require_outputs(options);
   const attractors::WordOrbits list = found(options, [&] { return find_word_orbits(asked.question); });
   tell_list(options, asked, list);
-  if (list.interrupted) {
-    return exit_interrupted;
-  }
   const bool answered = list.searched ? list.complete() : !list.orbits.empty();
-  return answered && std::ranges::all_of(list.orbits, is_decided) ? exit_decided : exit_undecided;
+  return exit_of(list.interrupted, answered && std::ranges::all_of(list.orbits, is_decided));
 }
 
 }  // namespace

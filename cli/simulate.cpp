@@ -112,16 +112,15 @@ void require_places(const SimulateOptions& options) {
 }
 
 // The same motion of a machine in tables.
-SimulateOptions as_typed(const MotionAsked& asked, SimulateOptions options, const Units& units) {
+SimulateOptions as_typed(const MotionAsked& asked, const SimulateOptions& o, const Units& units) {
+  SimulateOptions options = without_machine(o);
   if (!options.state) {
     const model::Vector4<double> X = units.state(asked.from.start.X);
     options.state = State(X.begin(), X.end());
     options.perturb.reset();
   }
-  options.example.clear();
   options.orbit.clear();
   options.typed.erase("--orbit");
-  options.si = false;
   options.parameters = {{"phi", fmt::format("{:.17g}", asked.from.start.phi)}};
   return options;
 }
@@ -166,14 +165,14 @@ ExitCode run(const SimulateOptions& options, const Examples& examples) {
   }
   Simulated simulated = simulate(asked, options, units);
   if (options.csv == Samples::standard_output) {
-    return simulated.record.interrupted ? exit_interrupted : exit_decided;
+    return exit_of(simulated.record.interrupted, true);
   }
   {
     const Interruptible scope;
     simulated.settles = settles_on(simulated.record, asked.from.machine);
   }
   print_result(simulated, file, options.json, units);
-  return simulated.record.interrupted ? exit_interrupted : exit_decided;
+  return exit_of(simulated.record.interrupted, true);
 }
 
 }  // namespace stickslip::cli

@@ -1,4 +1,4 @@
-#include "cli/simulation_start.hpp"
+#include "cli/asked.hpp"
 
 #include <fmt/format.h>
 

@@ -187,10 +187,6 @@ std::vector<std::pair<const char *, std::vector<std::string> > > told_by_boxes(
 }
 
 void put_attributes(hid_t file, const Question& q, const std::vector<Leaf>& leaves) {
-  std::string libraries;
-  for (const tools::Component& library : tools::libraries()) {
-    libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", library.name, library.version);
-  }
   std::vector<std::string> names;
   std::vector<std::string> lower;
   std::vector<std::string> upper;
@@ -200,7 +196,9 @@ void put_attributes(hid_t file, const Question& q, const std::vector<Leaf>& leav
     upper.push_back(to_string(q.region[i].upper));
   }
   put(file, "version", tools::program_version());
-  put(file, "libraries", libraries);
+  put(file, "libraries", tools::enumerated(tools::libraries(), [](const tools::Component& library) {
+        return library.name + " " + library.version;
+      }));
   put(file, "family", q.family->name);
   put(file, "parameters", names);
   put(file, "lower", lower);

@@ -44,15 +44,9 @@ struct Legend {
 };
 
 Legend legend_of(const Tally& all) {
-  std::vector<std::pair<std::uint64_t, Tally::Counts>> order;
-  for (const auto& [counts, v] : all.counts) {
-    order.emplace_back(v, counts);
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
   const auto percent = [](std::uint64_t v) { return 100 * share(v).get_d(); };
   Legend legend;
-  for (const auto& [v, c] : order) {
+  for (const auto& [c, v] : by_volume(all.counts)) {
     legend.counts[c] = legend.kinds.size();
     legend.kinds.push_back({fmt::format("{:.2f} %: {} orbits, {} admissible, {} stable", percent(v), c.orbits,
                                         c.admissible, c.stable),

@@ -29,15 +29,6 @@ std::string in_words(const Tally::Counts& c) {
                      c.stable);
 }
 
-// Largest first.
-template <class Key>
-std::vector<std::pair<Key, std::uint64_t>> by_volume(const std::map<Key, std::uint64_t>& volumes) {
-  std::vector<std::pair<Key, std::uint64_t>> rows(volumes.begin(), volumes.end());
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  return rows;
-}
-
 std::string parameters_of(const Question& q) {
   std::string text;
   for (std::size_t i = 0; i < q.region.size(); ++i) {

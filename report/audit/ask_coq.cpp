@@ -1,4 +1,3 @@
-#include "report/audit/ask_coq.hpp"
 
 #include <fmt/format.h>
 
@@ -333,8 +332,7 @@ class Questions {
     }
     axioms = axioms_in(ran.output);
     for (const auto& [name, says] : axioms) {
-      const auto allowed = allowed_axioms().find(name);
-      if (allowed == allowed_axioms().end() || allowed->second != says) {
+      if (!is_allowed(name, says)) {
         refuse_all(fmt::format("it, or another of those that were asked about, rests on {}{}{}", name,
                                says.empty() ? "" : " : ", says));
         axioms.clear();

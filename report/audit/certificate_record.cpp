@@ -169,8 +169,6 @@ bool all_accepted(const Json& record) {
   });
 }
 
-namespace fs = std::filesystem;
-
 const std::map<std::string, std::string>& allowed_axioms() {
   static const std::map<std::string, std::string> axioms{
       {"ClassicalDedekindReals.sig_not_dec", "forall P : Prop, {~ ~ P} + {~ P}"},
@@ -181,6 +179,11 @@ const std::map<std::string, std::string>& allowed_axioms() {
        "forall (A : Type) (B : A -> Type) (f g : forall x : A, B x), (forall x : A, f x = g x) -> f = g"},
       {"Classical_Prop.classic", "forall P : Prop, P \\/ ~ P"}};
   return axioms;
+}
+
+bool is_allowed(const std::string& axiom, const std::string& says) {
+  const auto allowed = allowed_axioms().find(axiom);
+  return allowed != allowed_axioms().end() && allowed->second == says;
 }
 
 std::map<std::string, std::string> axioms_in(const std::string& printed) {
@@ -255,8 +258,6 @@ std::vector<std::string> required_by(const std::string& text) {
   return names;
 }
 
-namespace fs = std::filesystem;
-
 std::string to_string(Certified::State state) {
   constexpr std::array names{"unknown", "certified", "stale", "refused", "none"};
   return names.at(static_cast<std::size_t>(state));
@@ -330,8 +331,7 @@ class Compared {
       return "Coq certified it for another version of the program";
     }
     for (const auto& [name, says] : record_.at("coq").value("axioms", std::map<std::string, std::string>{})) {
-      const auto allowed = allowed_axioms().find(name);
-      if (allowed == allowed_axioms().end() || allowed->second != says) {
+      if (!is_allowed(name, says)) {
         return "it rests on " + name;
       }
     }

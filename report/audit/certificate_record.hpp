@@ -31,6 +31,20 @@ inline constexpr const char * certificate_record = "certificates.json";
 [[nodiscard]] tools::Json sealed(tools::Json record);
 [[nodiscard]] bool is_sealed(const tools::Json& record);
 
+// The record in the directory after Coq was asked, here and now: for each claim "accepted", "reason" if it is
+// not, "seconds", "compiled" (the fingerprint of its .vo), "again" (what coqchk says); "coq": its version and
+// the axioms of all.
+//
+// A claim is accepted if its file is the recorded one, all that it imports is accepted, and its .vo, after
+// those files that all stand on, which are compiled anew from the recorded texts, holds theorems of the types
+// of Statements.v that rest on the allowed axioms only. Null where coqc was not asked of it, or of what it
+// rests on. Nothing but the record says which files these are: what they say is for the audit to compare.
+//
+// coqchk is asked of what was accepted and was not seen by it before, as the record says; not where
+// interval arithmetic takes long: it has no virtual machine. Throws InputOutputError as read_record,
+// where the record is not sealed, and where there is no Coq.
+[[nodiscard]] tools::Json checked(const std::filesystem::path& directory);
+
 // A line for each claim that was asked for, or that one of these rests on; where there are others, how many
 // theorems of all; how many coqchk was asked of; and last "N of M theorems certified, K axioms", of those
 // asked for.
@@ -41,8 +55,9 @@ inline constexpr const char * certificate_record = "certificates.json";
 // What Coq, its compiler and `time` write, read.
 
 // The axioms of Coq's real numbers and of classical logic, and what each says, as Coq prints it in one line:
-// what a theorem may rest on.
+// what a theorem may rest on; whether an axiom is among them, by its name and by what it says.
 [[nodiscard]] const std::map<std::string, std::string>& allowed_axioms();
+[[nodiscard]] bool is_allowed(const std::string& axiom, const std::string& says);
 
 // What Coq prints for "Print Assumptions": names and what they say, each in one line. Whatever else it prints
 // there, as of checks that were switched off, stands among the names.

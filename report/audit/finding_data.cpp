@@ -14,9 +14,6 @@ using namespace tools;
 
 namespace {
 
-using proofs::methods::Record;
-using proofs::methods::Status;
-
 const std::string not_so = "What does not hold as the paper has it",
                   taken_for_granted = "What the paper takes for granted, and is not so";
 

@@ -26,11 +26,6 @@ using namespace tools;
 
 namespace {
 
-using proofs::methods::Audit;
-using proofs::methods::Claim;
-using proofs::methods::Outcome;
-using proofs::methods::Record;
-
 // The paper, what the audit says of it, and what Coq said.
 struct Audited {
   const Paper& paper;

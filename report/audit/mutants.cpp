@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "report/audit/summary.hpp"
 #include "report/tools/layout.hpp"
@@ -14,29 +15,12 @@ using namespace tools;
 
 namespace {
 
-using proofs::checks::Fate;
-using proofs::checks::Gate;
-using proofs::checks::Mutant;
-using proofs::checks::Twin;
+// By their fates.
+constexpr std::array by_fate{&GateRow::refuted, &GateRow::unproved, &GateRow::meaningless, &GateRow::true_too,
+                             &GateRow::survived};
 
 void count(GateRow& row, const Mutant& mutant) {
-  switch (mutant.fate) {
-    case Fate::refuted:
-      ++row.refuted;
-      return;
-    case Fate::unproved:
-      ++row.unproved;
-      return;
-    case Fate::stillborn:
-      ++row.meaningless;
-      return;
-    case Fate::equivalent:
-      ++row.true_too;
-      return;
-    case Fate::survived:
-      ++row.survived;
-      return;
-  }
+  ++(row.*by_fate.at(static_cast<std::size_t>(mutant.fate)));
 }
 
 void count(GateRow& row, const Twin& twin) {

@@ -20,9 +20,6 @@ using namespace tools;
 
 namespace {
 
-using proofs::methods::Record;
-using proofs::methods::Status;
-
 constexpr int number_digits = 10;
 constexpr int unit_digits = 3;
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <regex>
 
 #include "core/error.hpp"
@@ -26,9 +28,7 @@ using namespace tools;
 namespace {
 
 void append(std::vector<File>& files, std::vector<File> more) {
-  for (File& file : more) {
-    files.push_back(std::move(file));
-  }
+  std::ranges::move(more, std::back_inserter(files));
 }
 
 // What the partial orbit_list sees.
@@ -42,8 +42,8 @@ Json list_data(const Listed& listed, const std::string& anchor, const std::strin
   return data;
 }
 
-// NAME.tex, NAME.pdf where there is TeX, and what `pages` makes of the data, which then say whether there is
-// NAME.pdf: made at the same time, and once more should the compilation fail.
+// NAME.tex, NAME.pdf where there is TeX, and what `pages` makes of the data with their style sheet; the data
+// then say whether there is NAME.pdf: made at the same time, and once more should the compilation fail.
 template <class Pages>
 void add_paper_and_pages(Report& report, const std::string& name, Json data, const Pages& pages) {
   report.files.push_back({name + ".tex", render_file(name + ".tex", data, tex_format)});
@@ -64,21 +64,23 @@ void add_paper_and_pages(Report& report, const std::string& name, Json data, con
   }
   append(report.files, std::move(compiled.pdf));
   append(report.files, std::move(made));
+  report.files.push_back({"style.css", templates().at("style.css")});
   if (!compiled.problem.empty()) {
     report.note = fmt::format("{}.pdf is not made: {}.", name, compiled.problem);
   }
 }
 
-void add_style(std::vector<File>& files) {
-  files.push_back({"style.css", templates().at("style.css")});
-}
-
-std::string digits_in_words(int digits) {
-  return fmt::format(
+// How exact numbers are and what they mean, and with what pictures are drawn.
+void add_meanings(Json& data, int digits) {
+  data["drawn_by"] = drawn_by();
+  data["precision"] = fmt::format(
       "identities exactly, in rational arithmetic; values of orbits enclosed to {} significant digits, "
       "rounded "
       "outwards, and computed with more bits wherever a verdict needs them",
       digits);
+  data["meaning_of_margin"] = meaning_of_margin();
+  data["meaning_of_units"] = meaning_of_units();
+  data["meaning_of_picture"] = meaning_of_picture();
 }
 
 std::string picture_of_list(const ExampleOrbits& e) {
@@ -130,11 +132,7 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit, const Figu
                             figures.examples, gate, certificates);
   Report report{{{"audit.json", to_text(json)}}, {}};
   Json data = page_data(paper, audit, json);
-  data["drawn_by"] = drawn_by();
-  data["precision"] = digits_in_words(OrbitQuestion{}.digits);
-  data["meaning_of_margin"] = meaning_of_margin();
-  data["meaning_of_units"] = meaning_of_units();
-  data["meaning_of_picture"] = meaning_of_picture();
+  add_meanings(data, OrbitQuestion{}.digits);
   data["examples"] = Json::array();
   for (const ExampleOrbits& e : figures.examples) {
     data["examples"].push_back(example_data(e));
@@ -153,7 +151,6 @@ Report pages(const Paper& paper, const proofs::methods::Audit& audit, const Figu
     }
     return with_formulas(made);
   });
-  add_style(report.files);
   report.files.push_back({"filter.js", templates().at("filter.js")});
   return report;
 }
@@ -196,21 +193,16 @@ Report pages(const Listed& listed) {
   const Json json = listed.word ? orbits::to_json(*listed.word) : orbits::to_json(list);
   Report report{{{"orbits.json", to_text(json)}}, {}};
   Json data = provenance(listed.command);
-  data["drawn_by"] = drawn_by();
-  data["precision"] = digits_in_words(list.question.digits);
+  add_meanings(data, list.question.digits);
   std::vector<File> drawn = pictures(list, "figure");
   data["lists"] = Json::array();
   data["lists"].push_back(list_data(listed, "orbits", "Orbits", "figure", !drawn.empty()));
   append(report.files, std::move(drawn));
   data["page_title"] = fmt::format("Orbits: {}", list.question.family->name);
   data["paper"] = nullptr;
-  data["meaning_of_margin"] = meaning_of_margin();
-  data["meaning_of_units"] = meaning_of_units();
-  data["meaning_of_picture"] = meaning_of_picture();
   add_paper_and_pages(report, "orbits", std::move(data), [](const Json& complete) {
     return with_formulas({{"index.html", render_file("orbits.html", complete, html_format)}});
   });
-  add_style(report.files);
   return report;
 }
 

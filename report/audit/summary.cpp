@@ -1,10 +1,8 @@
 #include "report/audit/summary.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <functional>
 #include <map>
@@ -23,10 +21,6 @@ using namespace tools;
 using namespace proofs::methods;
 
 namespace {
-
-using proofs::methods::Audit;
-using proofs::methods::Record;
-using proofs::methods::Status;
 
 std::string title_of(const Paper& paper, const std::string& place) {
   const auto section = std::ranges::find(paper.sections, place, &Section::id);
@@ -47,17 +41,11 @@ std::vector<StatusCount> counted(const std::vector<Status>& found) {
 // "2 converses: 1 proved, 1 refuted".
 std::string count_in_words(std::size_t total, const std::string& what,
                            const std::vector<StatusCount>& counts) {
-  std::vector<std::string> parts;
-  for (const StatusCount& entry : counts) {
-    parts.push_back(fmt::format("{} {}", entry.count, spaced(to_string(entry.status))));
-  }
-  return fmt::format("{} {}{}{}", total, what, parts.empty() ? "" : ": ", fmt::join(parts, ", "));
+  return fmt::format("{} {}{}{}", total, what, counts.empty() ? "" : ": ",
+                     enumerated(counts, [](const StatusCount& entry) {
+                       return fmt::format("{} {}", entry.count, spaced(to_string(entry.status)));
+                     }));
 }
-
-using proofs::methods::Audit;
-using proofs::methods::Hypothesis;
-using proofs::methods::Outcome;
-using proofs::methods::Record;
 
 std::vector<Hypothesis> own_hypotheses(const Record& record) {
   std::vector<Hypothesis> own;
@@ -206,7 +194,7 @@ std::string summary_line(const Paper& paper, const Audit& audit) {
       ours.push_back(count_in_words(entry.count, entry.count == 1 ? known.one : known.many, entry.statuses));
     }
   }
-  const std::string claims = fmt::format("{}", fmt::join(ours, "; "));
+  const std::string claims = enumerated(ours, std::identity(), "; ");
   if (!whole) {
     return (claims.empty() ? "no claims" : claims) + ".";
   }
@@ -241,17 +229,15 @@ std::string verdict_lead(const Paper& paper, const Audit& audit) {
 }
 
 std::string verdict_sentence(const Paper& paper, const Audit& audit) {
-  std::vector<std::string> parts;
-  for (const StatusCount& entry : count_statements(paper, audit)) {
+  const std::vector<StatusCount> counts = count_statements(paper, audit);
+  const auto in_words = [](const StatusCount& entry) {
     const StatusFacts& known = facts(entry.status);
-    parts.push_back(fmt::format("{} {}", entry.count, entry.count == 1 ? known.one : known.many));
-  }
-  if (parts.empty()) {
-    return {};
-  }
+    return tools::counted(entry.count, known.one, known.many);
+  };
   const std::size_t total = statements_in(paper, audit).size();
-  return fmt::format("Of {} of {}, {}.", tools::counted(total, "statement"), source_of(audit),
-                     fmt::join(parts, "; "));
+  return counts.empty() ? ""
+                        : fmt::format("Of {} of {}, {}.", tools::counted(total, "statement"),
+                                      source_of(audit), enumerated(counts, in_words, "; "));
 }
 
 std::string sentence_of_ours(const Audit& audit) {
@@ -260,14 +246,13 @@ std::string sentence_of_ours(const Audit& audit) {
   for (const OriginCount& entry : count_origins(audit)) {
     const OriginFacts& known = facts(entry.origin);
     if (!known.source) {
-      parts.push_back(fmt::format("{} {}", entry.count, entry.count == 1 ? known.one : known.many));
+      parts.push_back(tools::counted(entry.count, known.one, known.many));
       total += entry.count;
     }
   }
-  return parts.empty()
-             ? ""
-             : fmt::format("Beside these {} claim{} of our own {} counted apart: {}.", total,
-                           total == 1 ? "" : "s", total == 1 ? "is" : "are", fmt::join(parts, ", "));
+  return parts.empty() ? ""
+                       : fmt::format("Beside these {} claim{} of our own {} counted apart: {}.", total,
+                                     total == 1 ? "" : "s", total == 1 ? "is" : "are", enumerated(parts));
 }
 
 std::string sentence_of_findings(const Paper& paper, const Audit& audit) {
@@ -368,31 +353,14 @@ std::set<std::string> used_by_proofs_of(const Record& record) {
   return all;
 }
 
-// How many claims of one place are used by proofs of another, by both.
-using Uses = std::map<std::pair<std::string, std::string>, std::size_t>;
-
-Uses uses_between(const std::vector<PlaceRecords>& places) {
-  std::map<std::string, std::string> place_of;
-  for (const PlaceRecords& place : places) {
-    for (const Record * record : place.records) {
-      place_of[record->claim.id] = place.id;
-    }
+// How many claims of one place the proofs of another use.
+std::size_t count_uses(const PlaceRecords& used, const PlaceRecords& user) {
+  std::set<std::string> ids;
+  for (const Record * record : user.records) {
+    ids.merge(used_by_proofs_of(*record));
   }
-  std::set<std::array<std::string, 3>> found;  // place of the used claim, place of the user, the claim
-  for (const PlaceRecords& place : places) {
-    for (const Record * record : place.records) {
-      for (const std::string& id : used_by_proofs_of(*record)) {
-        if (const auto other = place_of.find(id); other != place_of.end() && other->second != place.id) {
-          found.insert({other->second, place.id, id});
-        }
-      }
-    }
-  }
-  Uses uses;
-  for (const auto& [from, to, id] : found) {
-    ++uses[{from, to}];
-  }
-  return uses;
+  return static_cast<std::size_t>(std::ranges::count_if(
+      used.records, [&](const Record * record) { return ids.contains(record->claim.id); }));
 }
 
 // "Section 2" of "Section 2: the model".
@@ -409,13 +377,11 @@ int shade(std::size_t count) {
 
 Json uses_of_places(const Paper& paper, const Audit& audit) {
   const std::vector<PlaceRecords> places = by_place(paper, audit);
-  const Uses uses = uses_between(places);
   Json parts = Json::array();
   for (const PlaceRecords& user : places) {
     Json rests_on = Json::array(), row = Json::array();
     for (const PlaceRecords& used : places) {
-      const auto found = uses.find({used.id, user.id});
-      const std::size_t count = found == uses.end() ? 0 : found->second;
+      const std::size_t count = used.id == user.id ? 0 : count_uses(used, user);
       row.push_back({{"short", without_subject(used.title)},
                      {"count", count == 0 ? "" : std::to_string(count)},
                      {"weight", shade(count)}});

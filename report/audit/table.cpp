@@ -1,7 +1,6 @@
 #include "report/audit/table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
@@ -21,11 +20,6 @@ using namespace proofs::methods;
 using namespace tools;
 
 namespace {
-
-using proofs::methods::Audit;
-using proofs::methods::Outcome;
-using proofs::methods::Record;
-using proofs::methods::Status;
 
 // Wide enough for a line of a terminal, never reached: one line per statement.
 constexpr std::size_t unlimited = 1U << 20U;
@@ -53,10 +47,6 @@ Cell status_cell(const Record& record, const Style& style) {
 
 std::string heading(const std::string& text, const Style& style) {
   return style.colour ? fmt::format("\x1b[1m{}\x1b[0m\n", text) : text + "\n";
-}
-
-std::string joined(const auto& words) {
-  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 // Labelled lines beneath the head of a statement; what is empty is left out.
@@ -91,8 +81,8 @@ class Details {
     add("evaluated", cross_check_line(outcome.cross_check));
     add("obeyed", proofs::methods::sentence(outcome.obeyed));
     add("where", outcome.hypotheses);
-    add("for all", joined(outcome.free));
-    add("uses", joined(outcome.uses));
+    add("for all", enumerated(outcome.free));
+    add("uses", enumerated(outcome.uses));
   }
 
   [[nodiscard]] const std::string& text() const { return text_; }
@@ -114,7 +104,7 @@ std::string domain_of(const Outcome& outcome) {
       supposed.push_back(proofs::symbols::text(one));
     }
   }
-  return joined(supposed);
+  return enumerated(supposed);
 }
 
 std::string head(const Record& record, const Style& style) {
@@ -160,7 +150,7 @@ std::string findings(const Paper& paper, const Audit& audit, const Style& style)
     details.add("why not", record.outcome.verdict.reason);
     details.add("converse", record.converse ? record.converse->verdict.reason : std::string());
     details.add("needs", final_outcome(record).hypotheses);
-    details.add("inherited", joined(inheriting(audit, record)));
+    details.add("inherited", enumerated(inheriting(audit, record)));
     details.add("corrected", record.claim.corrected);
     result += head(record, style) + details.text();
   }
@@ -228,7 +218,7 @@ std::string explanation(const Record& record, const Style& style) {
   if (record.converse) {
     details.add("converse", "proof", *record.converse);
   }
-  details.add("used by", joined(record.used_by));
+  details.add("used by", enumerated(record.used_by));
   return head(record, style) + details.text();
 }
 
@@ -270,7 +260,7 @@ std::string terminal_answer(const Record& record, const Style& style) {
   Details details(style.width);
   const bool proved = outcome.verdict.truth == Truth::proved;
   details.add(proved ? "by" : "why", proved ? outcome.route : outcome.verdict.reason);
-  details.add("for all", joined(outcome.free));
+  details.add("for all", enumerated(outcome.free));
   details.add("with", domain_of(outcome));
   details.add("where", outcome.hypotheses);
   for (const proofs::methods::Assumption& assumption : record.claim.assumptions) {
@@ -278,7 +268,7 @@ std::string terminal_answer(const Record& record, const Style& style) {
       details.add("if", proofs::symbols::text(assumption.statement));
     }
   }
-  details.add("uses", proved ? joined(outcome.uses) : "");
+  details.add("uses", proved ? enumerated(outcome.uses) : "");
   for (const proofs::methods::Repair& repair : record.repairs) {
     details.add("true is",
                 fmt::format("{} ({})", proofs::symbols::text(repair.statement), plain(repair.what)));

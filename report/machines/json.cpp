@@ -27,6 +27,14 @@ std::vector<std::vector<Rational>> rows_of(const model::MatrixX<Rational>& A) {
   return rows;
 }
 
+std::vector<BallText> ball_texts(const Vector& x, int digits) {
+  std::vector<BallText> texts;
+  for (const Ball& one : x) {
+    texts.push_back(ball_text(one, digits));
+  }
+  return texts;
+}
+
 void write_law(Object& json, const model::FrictionLaw<Rational>& law) {
   json.has("at_rest", law.at_rest);
   json.list(
@@ -87,17 +95,20 @@ void write_machine(Object& json, const Machine& machine, const Origin& origin) {
   });
 }
 
+// The verdict on that it exists, and what `write` has of it where that is proved.
+template <class T, class Write>
+void write_if_proved(Object& json, const Verdict& verdict, const char * on, const T& it, const Write& write) {
+  json.has("verdict", verdict.truth, on);
+  json.has("reason", orbits::if_any(verdict.reason));
+  json.keys_if(verdict.truth == Truth::proved ? std::optional(it) : std::nullopt, write);
+}
+
 void write_orbit(Object& json, const MachineOrbit& o, int digits) {
   json.has("word", word_of(o.pieces), orbits::like_word());
   json.has("pieces", word_of(o.pieces, true),
            "Phases with the pieces of the friction law that they are on: S2 a slip on the second.");
   json.has("periods", o.periods, with({{"minimum", 1}}, "Of the load; 1 without one."));
-  json.has("verdict", o.existence.truth, "On: exactly one such motion closes near here.");
-  json.has("reason", orbits::if_any(o.existence.reason));
-  json.keys_if(o.existence.truth == Truth::proved ? std::optional(o) : std::nullopt, [digits](
-                                                                                         Object& to,
-                                                                                         const MachineOrbit&
-                                                                                             proved) {
+  const auto write = [digits](Object& to, const MachineOrbit& proved) {
     to.has("period", ball_text(proved.period, digits), "A time.");
     to.has("theta", ball_text(proved.load, digits), "The load's phase when the first phase begins.");
     to.list("phases", proved.phases, [digits](Object& one, const MachinePhase& phase) {
@@ -105,42 +116,33 @@ void write_orbit(Object& json, const MachineOrbit& o, int digits) {
       one.has("piece", phase.piece.number + 1, with({{"minimum", 1}}, "Of the friction law; 1 for a stick."));
       one.has("begins", ball_text(phase.start, digits));
       one.has("lasts", ball_text(phase.duration, digits));
-      std::vector<BallText> state;
-      for (const Ball& x : phase.state) {
-        state.push_back(ball_text(x, digits));
-      }
-      one.has("state", state, state_words);
+      one.has("state", ball_texts(phase.state, digits), state_words);
     });
     orbits::write_admissible(to, proved.admissible);
     orbits::write_stability(to, proved.stability, proved.conditions, digits);
     to.list("conditions", proved.conditions, orbits::write_condition);
     orbits::write_neighbourhood(to, proved.neighbourhood);
-  });
+  };
+  write_if_proved(json, o.existence, "On: exactly one such motion closes near here.", o, write);
 }
 
 void write_steady(Object& json, const SteadySliding& state, int digits) {
-  json.has("verdict", state.existence.truth, "On: there is exactly one motion of the kind.");
-  json.has("reason", orbits::if_any(state.existence.reason));
-  json.keys_if(state.existence.truth == Truth::proved ? std::optional(state) : std::nullopt,
-               [digits](Object& to, const SteadySliding& known) {
-                 to.has("phase", known.piece.kind, orbits::phase_names());
-                 to.has("piece", known.piece.number + 1, with({{"minimum", 1}}, "Of the friction law."));
-                 std::vector<BallText> x;
-                 for (const Ball& place : known.x) {
-                   x.push_back(ball_text(place, digits));
-                 }
-                 to.has("x", x, "x1, …, xn.");
-                 to.has("friction", ball_text(known.friction, digits));
-                 to.has("stability", known.stability, names_through(motion::StabilityKind::undecided));
-                 to.has("stability_reason", orbits::if_any(known.reason));
-                 to.list(
-                     "eigenvalues", known.eigenvalues,
-                     [digits](Object& one, const motion::ComplexBall& mu) {
-                       one.has("re", ball_text(mu.re, digits));
-                       one.has("im", ball_text(mu.im, digits));
-                     },
-                     "Per time.");
-               });
+  write_if_proved(json, state.existence, "On: there is exactly one motion of the kind.", state,
+                  [digits](Object& to, const SteadySliding& known) {
+                    to.has("phase", known.piece.kind, orbits::phase_names());
+                    to.has("piece", known.piece.number + 1, with({{"minimum", 1}}, "Of the friction law."));
+                    to.has("x", ball_texts(known.x, digits), "x1, …, xn.");
+                    to.has("friction", ball_text(known.friction, digits));
+                    to.has("stability", known.stability, names_through(motion::StabilityKind::undecided));
+                    to.has("stability_reason", orbits::if_any(known.reason));
+                    to.list(
+                        "eigenvalues", known.eigenvalues,
+                        [digits](Object& one, const motion::ComplexBall& mu) {
+                          one.has("re", ball_text(mu.re, digits));
+                          one.has("im", ball_text(mu.im, digits));
+                        },
+                        "Per time.");
+                  });
 }
 
 void write_rectangle(Object& json, const Rectangle& starts) {
@@ -151,21 +153,18 @@ void write_rectangle(Object& json, const Rectangle& starts) {
 }
 
 void write_basin(Object& json, const PlanarBasin& basin, int digits) {
-  json.has(
-      "verdict", basin.verdict.truth,
-      "On: steady sliding is stable, and what ends in it starts inside one closed motion below the belt.");
-  json.has("reason", orbits::if_any(basin.verdict.reason));
-  json.keys_if(basin.verdict.truth == Truth::proved ? std::optional(basin) : std::nullopt,
-               [digits](Object& to, const PlanarBasin& known) {
-                 to.has("share", ball_text(known.share, digits), "Of the starts: those inside.");
-                 to.has("others", known.others.truth,
-                        "On: what starts outside ends on one cycle that sticks.");
-                 to.has("others_reason", orbits::if_any(known.others.reason));
-                 to.has("x", ball_text(known.x, digits), "Of the closed motion, farthest behind.");
-                 to.has("period", ball_text(known.period, digits), "A time.");
-                 to.has("multiplier", ball_text(known.multiplier, digits));
-                 to.has("area", ball_text(known.area, digits), "Inside the closed motion.");
-               });
+  write_if_proved(
+      json, basin.verdict,
+      "On: steady sliding is stable, and what ends in it starts inside one closed motion below the belt.",
+      basin, [digits](Object& to, const PlanarBasin& known) {
+        to.has("share", ball_text(known.share, digits), "Of the starts: those inside.");
+        to.has("others", known.others.truth, "On: what starts outside ends on one cycle that sticks.");
+        to.has("others_reason", orbits::if_any(known.others.reason));
+        to.has("x", ball_text(known.x, digits), "Of the closed motion, farthest behind.");
+        to.has("period", ball_text(known.period, digits), "A time.");
+        to.has("multiplier", ball_text(known.multiplier, digits));
+        to.has("area", ball_text(known.area, digits), "Inside the closed motion.");
+      });
 }
 
 // ---- results
@@ -192,45 +191,35 @@ void write_starts(Object& json, const MachineStarts& q) {
 }
 
 void write(Object& json, const Attractors& result) {
-  const MachineStarts& q = result.list.question;
-  write_provenance(json, command_of(result));
-  write_machine(json, q.machine, result.origin);
+  const MachineStarts& q = result.question;
   write_starts(json, q);
-  json.has("interrupted", result.list.interrupted);
-  json.has("followed", result.list.followed,
+  json.has("interrupted", result.interrupted);
+  json.has("followed", result.followed,
            with({{"minimum", 0}},
                 "Starts that were followed, all unless it was interrupted. Shares are of these."));
-  json.list("attractors", result.list.attractors,
+  json.list("attractors", result.attractors,
             [&](Object& to, const MachineAttractor& a) { write_attractor(to, a, q.digits); });
   json.object_if(
-      "steady_sliding", result.list.steady,
+      "steady_sliding", result.steady,
       [&](Object& to, const SteadySliding& state) { write_steady(to, state, q.digits); },
       "Without a load that varies.");
 }
 
 void write(Object& json, const Diagram& result) {
-  const MachineDiagram& d = result.diagram;
-  const int digits = d.question.digits;
-  write_provenance(json, command_of(result));
-  write_machine(json, d.question.machine, result.origin);
+  const int digits = result.question.digits;
   json.has("along", result.parameter, "The path of a number in the file.");
-  json.has("from", d.from);
-  json.has("to", d.to);
-  write_starts(json, d.question);
-  json.has("interrupted", d.interrupted, "Fewer points than were asked for.");
+  json.has("from", result.from);
+  json.has("to", result.to);
+  write_starts(json, result.question);
+  json.has("interrupted", result.interrupted, "Fewer points than were asked for.");
   orbits::write_points(
-      json, d.points,
+      json, result.points,
       "States when the load's phase is 0, one period apart; without a load where a phase begins.",
       [digits](Object& one, const MachineAttractor& a) { write_attractor(one, a, digits); });
 }
 
-void write(Object& json, const Basins& result) {
-  const MachineBasins& b = result.basins;
-  const Seen seen{b.question.machine, result.origin.in_SI};
-  write_provenance(json, command_of(result));
-  write_machine(json, b.question.machine, result.origin);
-  json.has("plane", std::array{coordinate(seen, b.across[0], false), coordinate(seen, b.across[1], false)},
-           "Two of x1, …, xn, x1', …, xn'.");
+void write(Object& json, const Basins& b) {
+  json.has("plane", plane_of(b), "Two of x1, …, xn, x1', …, xn'.");
   orbits::write_pixels(json, b.pixels, b.starts);
   write_most_periods(json, b.question);
   json.has("interrupted", b.interrupted, "Fewer starts than were asked for.");
@@ -246,20 +235,28 @@ void write(Object& json, const Basins& result) {
            "Rows of pixels: 1 where that is proved.");
 }
 
-void write_word(Object& json, const MachineWord& q, const Origin& origin) {
-  write_machine(json, q.machine, origin);
+void write_word(Object& json, const MachineWord& q) {
   json.has("word", q.word.letters(), orbits::like_word());
   json.has("periods", q.periods, with({{"minimum", 1}}, "Of the load, if they were given."));
 }
 
+// Of a search for the orbits of a word.
+void write_seen(Object& json, const std::string& seen, bool interrupted) {
+  json.has("seen", orbits::if_any(seen), "What was met in place of an orbit of the word.");
+  json.has("interrupted", interrupted);
+}
+
 void write(Object& json, const WordOrbits& result) {
-  write_provenance(json, command_of(result));
-  write_word(json, result.list.question, result.origin);
-  json.list("orbits", result.list.orbits, [&](Object& to, const MachineOrbit& orbit) {
-    write_orbit(to, orbit, result.list.question.digits);
-  });
-  json.has("seen", orbits::if_any(result.list.seen), "What was met in place of an orbit of the word.");
-  json.has("interrupted", result.list.interrupted);
+  write_word(json, result.question);
+  json.list("orbits", result.orbits,
+            [&](Object& to, const MachineOrbit& orbit) { write_orbit(to, orbit, result.question.digits); });
+  write_seen(json, result.seen, result.interrupted);
+}
+
+void write_varied(Object& json, const Varied& varied) {
+  json.has("parameter", varied.path, "The path of a number in the file.");
+  json.has("from", varied.from);
+  json.has("to", varied.to);
 }
 
 void write_end(Object& json, const MachineBranchEnd& end) {
@@ -299,27 +296,22 @@ void write_branch(Object& json, const MachineBranch& branch, int digits) {
 }
 
 void write(Object& json, const Branches& result) {
-  write_provenance(json, command_of(result));
-  write_word(json, result.question, result.origin);
-  json.has("parameter", result.parameter, "The path of a number in the file.");
-  json.has("from", result.from);
-  json.has("to", result.to);
-  json.has("at", result.start, "Where the orbits are looked for whose branches are followed.");
+  write_word(json, result.question);
+  write_varied(json, result.varied);
+  json.has("at", result.varied.start, "Where the orbits are looked for whose branches are followed.");
   json.list("branches", result.branches, [&](Object& to, const MachineBranch& branch) {
     write_branch(to, branch, result.question.digits);
   });
-  json.has("seen", orbits::if_any(result.seen), "What was met in place of an orbit of the word.");
-  json.has("interrupted", result.interrupted);
+  write_seen(json, result.seen, result.interrupted);
 }
 
 void write(Object& json, const OverBox& result) {
-  write_provenance(json, command_of(result));
-  write_word(json, result.question, result.origin);
-  json.list("data", result.data, [](Object& to, const OverBox::Datum& datum) {
-    to.has("path", datum.path, "Of a number in the file.");
-    to.has("from", datum.from);
-    to.has("to", datum.to);
-    to.has("at", datum.start, "Where the motions are looked for.");
+  write_word(json, result.question);
+  json.list("data", result.data, [](Object& to, const Varied& varied) {
+    to.has("path", varied.path, "Of a number in the file.");
+    to.has("from", varied.from);
+    to.has("to", varied.to);
+    to.has("at", varied.start, "Where the motions are looked for.");
   });
   json.has("parts", result.most_parts, "How many are looked at at most, of each motion.");
   json.list("motions", result.motions, [&](Object& to, const OverBox::Family& family) {
@@ -338,15 +330,11 @@ void write(Object& json, const OverBox& result) {
         },
         "They make up the box.");
   });
-  json.has("seen", orbits::if_any(result.seen), "What was met in place of an orbit of the word.");
-  json.has("interrupted", result.interrupted);
+  write_seen(json, result.seen, result.interrupted);
 }
 
-void write(Object& json, const SetMotion& result) {
-  const SetAfter& set = result.set;
+void write(Object& json, const SetMotion& set) {
   const SetAfterQuestion& q = set.question;
-  write_provenance(json, command_of(result));
-  write_machine(json, q.machine, result.origin);
   json.has("state", q.middle, "The middle of the starts: x1, …, xn, x1', …, xn' at time 0.");
   json.has("set", q.half, "Their half widths.");
   json.has("theta", q.theta, "The load's phase at time 0.");
@@ -362,38 +350,31 @@ void write(Object& json, const SetMotion& result) {
     to.has("state", part.middle);
     to.has("set", part.half);
     to.has("phases", part.phases(), "S slip, O overshoot, T stick, in their order, of all of its motions.");
-    std::vector<BallText> states;
-    for (const Ball& x : part.states) {
-      states.push_back(ball_text(x, 17));
-    }
-    to.has("then", states, "Contains x1, …, xn, x1', …, xn' of all of its motions at `time`.");
+    to.has("then", ball_texts(part.states, 17),
+           "Contains x1, …, xn, x1', …, xn' of all of its motions at `time`.");
   });
 }
 
 void write(Object& json, const Steady& result) {
-  write_provenance(json, command_of(result));
-  write_machine(json, result.machine, result.origin);
-  json.object("steady_sliding", [&](Object& to) { write_steady(to, result.state, result.digits); });
+  const int digits = result.question.digits;
+  json.object("steady_sliding", [&](Object& to) { write_steady(to, result.state, digits); });
   json.object_if(
       "basin", result.basin,
       [&](Object& to, const SteadyBasin& one) {
         write_rectangle(to, one.starts);
-        write_basin(to, one.basin, result.digits);
+        write_basin(to, one.basin, digits);
       },
       "With --basin: the share of the starts that end in it.");
 }
 
 void write(Object& json, const SteadyBranch& result) {
-  write_provenance(json, command_of(result));
-  write_machine(json, result.machine, result.origin);
-  json.has("parameter", result.parameter, "The path of a number in the file.");
-  json.has("from", result.from);
-  json.has("to", result.to);
+  const int digits = result.question.digits;
+  write_varied(json, result.varied);
   json.list(
       "samples", result.along.samples,
       [&](Object& to, const SteadyAlong::Sample& sample) {
         to.has("value", sample.value);
-        to.object("steady_sliding", [&](Object& one) { write_steady(one, sample.state, result.digits); });
+        to.object("steady_sliding", [&](Object& one) { write_steady(one, sample.state, digits); });
       },
       "By rising values.");
   json.list("changes", result.along.changes, [&](Object& to, const SteadyAlong::Change& change) {
@@ -401,8 +382,7 @@ void write(Object& json, const SteadyBranch& result) {
     to.has("to", change.last);
     to.has("lost", change.is_lost, "The stability; else it is gained.");
     to.has("corner", change.is_corner, "Two pieces of the friction law meet there.");
-    to.has("frequency", ball_text(change.frequency, result.digits),
-           "Of the pair of eigenvalues that crosses.");
+    to.has("frequency", ball_text(change.frequency, digits), "Of the pair of eigenvalues that crosses.");
   });
   json.object_if(
       "basins", result.basins,
@@ -412,7 +392,7 @@ void write(Object& json, const SteadyBranch& result) {
             "samples", all.along.samples,
             [&](Object& one, const PlanarBasinAlong::Sample& sample) {
               one.has("value", sample.value);
-              one.object("basin", [&](Object& basin) { write_basin(basin, sample.basin, result.digits); });
+              one.object("basin", [&](Object& basin) { write_basin(basin, sample.basin, digits); });
             },
             "By rising values.");
         to.list("ends", all.along.ends, [](Object& one, const PlanarBasinAlong::End& end) {
@@ -440,11 +420,9 @@ void write_event(Object& json, const AnyTransition& e) {
 
 void write(Object& json, const Motion& result) {
   const auto& record = result.record;
-  write_provenance(json, command_of(result));
-  write_machine(json, result.machine, result.origin);
-  json.has("start", result.start, state_words);
-  json.has("theta", result.theta, "Of the load at the start.");
-  json.has("duration", result.duration, with({{"exclusiveMinimum", 0}}, "That was asked for."));
+  json.has("start", result.question.start, state_words);
+  json.has("theta", result.question.theta, "Of the load at the start.");
+  json.has("duration", result.question.duration, with({{"exclusiveMinimum", 0}}, "That was asked for."));
   json.has("done", record.done);
   json.has("interrupted", record.interrupted);
   orbits::write_end(json, record, state_words);
@@ -464,59 +442,46 @@ Machine sample_machine() {
   return machine;
 }
 
-constexpr auto writer = [](Object& json, const auto& result) { write(json, result); };
+// All of them say what gives them again and what machine they are about.
+constexpr auto writer = [](Object& json, const auto& result) {
+  write_provenance(json, command_of(result));
+  write_machine(json, result.question.machine, result.origin);
+  write(json, result);
+};
 
 }  // namespace
 
-Json to_json(const Attractors& result) {
+template <class Result>
+Json to_json(const Result& result) {
   return written(result, writer);
 }
-Json to_json(const Diagram& result) {
-  return written(result, writer);
-}
-Json to_json(const Basins& result) {
-  return written(result, writer);
-}
-Json to_json(const WordOrbits& result) {
-  return written(result, writer);
-}
-Json to_json(const Branches& result) {
-  return written(result, writer);
-}
-Json to_json(const OverBox& result) {
-  return written(result, writer);
-}
-Json to_json(const Steady& result) {
-  return written(result, writer);
-}
-Json to_json(const SteadyBranch& result) {
-  return written(result, writer);
-}
-Json to_json(const SetMotion& result) {
-  return written(result, writer);
-}
-
-Json to_json(const Motion& result) {
-  return written(result, writer);
-}
+template Json to_json(const Attractors& result);
+template Json to_json(const Diagram& result);
+template Json to_json(const Basins& result);
+template Json to_json(const WordOrbits& result);
+template Json to_json(const Branches& result);
+template Json to_json(const OverBox& result);
+template Json to_json(const Steady& result);
+template Json to_json(const SteadyBranch& result);
+template Json to_json(const Motion& result);
+template Json to_json(const SetMotion& result);
 
 std::vector<File> schemas() {
   const Machine machine = sample_machine();
   const MachineWord word{machine, words::Word::parse("ST"), {}, {}};
   Attractors attractors;
-  attractors.list.question.machine = machine;
+  attractors.question.machine = machine;
   Diagram diagram;
-  diagram.diagram.question.machine = machine;
+  diagram.question.machine = machine;
   Basins basins;
-  basins.basins.question.machine = machine;
-  basins.basins.starts = {Eigen::VectorXd::Zero(2)};
+  basins.question.machine = machine;
+  basins.starts = {Eigen::VectorXd::Zero(2)};
   const WordOrbits of_word{{word, {}, {}}, {}};
-  const Branches branches{word, "belt.velocity", 0, 1, 0, {}, false, false, {}, {}, false, {}};
-  const OverBox box{.question = word};
-  Motion motion;
-  motion.machine = machine;
+  const Varied velocity{"belt.velocity", 0, 1, 0};
+  const Branches branches{{word, {}}, velocity};
+  const OverBox box{{word, {}}};
   SetMotion set;
-  set.set.question = {machine, Eigen::VectorXd::Zero(2), Eigen::VectorXd::Ones(2), 0, 1};
+  set.question = {machine, Eigen::VectorXd::Zero(2), Eigen::VectorXd::Ones(2), 0, 1};
   return {
       schema_file("machine_attractors",
                   "stickslip attractors of a machine in tables: what it does; with --along, with --plane",
@@ -531,12 +496,12 @@ std::vector<File> schemas() {
                   "stickslip branch WORD of a machine in tables: orbits over a box of its numbers, proved",
                   schema_by(box, writer)),
       schema_file("machine_steady", "stickslip orbits S of a machine in tables: steady sliding, proved",
-                  schema_by(Steady{machine, {}, 20, {}}, writer)),
+                  schema_by(Steady{{machine}, {}, {}}, writer)),
       schema_file("machine_steady_branch",
                   "stickslip branch S of a machine in tables: steady sliding over one of its numbers, proved",
-                  schema_by(SteadyBranch{machine, "belt.velocity", 0, 1, {}, 20, {}}, writer)),
+                  schema_by(SteadyBranch{{machine}, velocity, {}, {}}, writer)),
       schema_file("machine_simulation", "stickslip simulate of a machine in tables: a motion, in double",
-                  schema_by(motion, writer)),
+                  schema_by(Motion{{machine}, {}}, writer)),
       schema_file("machine_set",
                   "stickslip simulate --set of a machine in tables: where a box of starts is, proved",
                   schema_by(set, writer))};

@@ -25,10 +25,12 @@ using simulation::AnyState;
 
 namespace {
 
-Json frame(const std::string& title, const std::string& command, const Seen& seen, int digits) {
+Json frame(const std::string& title, const auto& result) {
+  const Seen seen = seen_of(result);
   const bool autonomous = seen.oscillator().is_autonomous();
   Json data = orbits::page_on_motions(
-      {}, title, command, digits, autonomous ? "a time, proved" : "in periods of the load",
+      {}, title, command_of(result), result.question.digits,
+      autonomous ? "a time, proved" : "in periods of the load",
       std::string("positions and velocities of the mass on the belt and, if there is one, of another, in the "
                   "colours of the phases") +
           (autonomous ? "; in floating point."
@@ -95,8 +97,9 @@ AnyState first_state(const MachineOrbit& orbit) {
   return state.unaryExpr([](const Ball& x) { return x.approximate(); });
 }
 
-void add_attractors(Json& data, std::vector<File>& files, const Seen& seen,
-                    const std::vector<MachineAttractor>& attractors, int digits) {
+void add_attractors(Json& data, std::vector<File>& files, const auto& result) {
+  const Seen seen = seen_of(result);
+  const std::vector<MachineAttractor>& attractors = result.attractors;
   const auto all = told(attractors, seen);
   orbits::add_motions(data, files, std::min(attractors.size(), orbits::most_pictured), [&](std::size_t i) {
     const MachineAttractor& a = attractors[i];
@@ -104,7 +107,7 @@ void add_attractors(Json& data, std::vector<File>& files, const Seen& seen,
     return on_page(seen, periodic ? name_of(*a.orbit, seen.oscillator().is_autonomous()) : to_string(a.kind),
                    periodic ? &*a.orbit : nullptr, periodic ? tone_of(*a.orbit) : "checked",
                    periodic ? all[i].remark : "seen in a simulation", {orbits::row_of_starts(a)}, a.state, 0,
-                   digits);
+                   result.question.digits);
   });
 }
 
@@ -118,18 +121,14 @@ std::vector<File> with_json(Json& data, std::vector<File> files, const char * na
 }  // namespace
 
 std::vector<File> pages(const Attractors& result) {
-  const MachineAttractors& list = result.list;
-  const Seen seen{list.question.machine, result.origin.in_SI};
-  Json data = frame("What the machine does", command_of(result), seen, list.question.digits);
+  Json data = frame("What the machine does", result);
   std::vector<File> files;
-  add_attractors(data, files, seen, list.attractors, list.question.digits);
+  add_attractors(data, files, result);
   return with_json(data, std::move(files), "attractors.json", result);
 }
 
 std::vector<File> pages(const Diagram& result) {
-  const MachineStarts& q = result.diagram.question;
-  const Seen seen{q.machine, result.origin.in_SI};
-  Json data = frame("What the machine does along " + result.parameter, command_of(result), seen, q.digits);
+  Json data = frame("What the machine does along " + result.parameter, result);
   const orbits::ToldAlong along = told(result);
   data["tables"].push_back(orbits::table("question", "Question", question_rows(along)));
   std::vector<File> files;
@@ -138,25 +137,21 @@ std::vector<File> pages(const Diagram& result) {
 }
 
 std::vector<File> pages(const Basins& result) {
-  const MachineBasins& b = result.basins;
-  const Seen seen{b.question.machine, result.origin.in_SI};
-  Json data = frame("Where starts in a plane end", command_of(result), seen, b.question.digits);
+  Json data = frame("Where starts in a plane end", result);
   std::vector<File> files;
-  add_attractors(data, files, seen, b.attractors, b.question.digits);
+  add_attractors(data, files, result);
   add_plane(data, files, told(result));
   return with_json(data, std::move(files), "basins.json", result);
 }
 
 std::vector<File> pages(const WordOrbits& result) {
-  const MachineWordOrbits& list = result.list;
-  const Seen seen{list.question.machine, result.origin.in_SI};
-  Json data =
-      frame("Orbits through " + list.question.word.letters(), command_of(result), seen, list.question.digits);
+  const Seen seen = seen_of(result);
+  Json data = frame("Orbits through " + result.question.word.letters(), result);
   std::vector<File> files;
-  orbits::add_motions(data, files, list.orbits.size(), [&](std::size_t i) {
-    const MachineOrbit& orbit = list.orbits[i];
+  orbits::add_motions(data, files, result.orbits.size(), [&](std::size_t i) {
+    const MachineOrbit& orbit = result.orbits[i];
     return on_page(seen, name_of(orbit, seen.oscillator().is_autonomous()), &orbit, tone_of(orbit),
-                   remark(orbit), {}, first_state(orbit), orbit.load.approximate(), list.question.digits);
+                   remark(orbit), {}, first_state(orbit), orbit.load.approximate(), result.question.digits);
   });
   return with_json(data, std::move(files), "orbits.json", result);
 }
@@ -182,21 +177,22 @@ std::string plot_script(const Branches& result, PlotFormat format, PlotShape sha
     }
   }
   const std::string x = fmt::format("x{}{}", j + 1, result.origin.in_SI ? " in m" : "");
-  return curves.script({result.question.word.letters(), parameter_of(result.parameter, result.origin), x,
-                        result.origin.file, result.from.get_d(), result.to.get_d()},
+  const Varied& v = result.varied;
+  return curves.script({result.question.word.letters(), parameter_of(v.path, result.origin), x,
+                        result.origin.file, v.from.get_d(), v.to.get_d()},
                        format, shape);
 }
 
 std::vector<File> pages(const Branches& result) {
-  const Seen seen{result.question.machine, result.origin.in_SI};
-  Json data = frame("Branches along " + result.parameter, command_of(result), seen, result.question.digits);
+  const std::string parameter = parameter_of(result.varied.path, result.origin);
+  const std::string drawn = fmt::format("position of mass {} where the first phase begins",
+                                        result.question.machine.oscillator.rubbing + 1);
+  Json data = frame("Branches along " + result.varied.path, result);
   data["family"] = "Motions through " + result.question.word.letters();
-  data["parameter"] = parameter_of(result.parameter, result.origin);
+  data["parameter"] = parameter;
   data["branches"] = Json::array();
   data["at_values"] = true;
-  data["what_is_drawn"] =
-      fmt::format("the position of mass {} where the first phase begins, of each motion that was proved",
-                  seen.oscillator().rubbing + 1);
+  data["what_is_drawn"] = fmt::format("the {}, of each motion that was proved", drawn);
   const auto cells = [](const std::vector<Row>& rows, const std::vector<std::string>& names) {
     return list_of(rows, [&](const Row& row) {
       Json cell;
@@ -221,10 +217,8 @@ std::vector<File> pages(const Branches& result) {
   }
   data["counts"] = Json::array();
   data["unresolved"] = Json::array();
-  data["picture_in_words"] = fmt::format(
-      "The position of mass {} where the first phase begins against {}. The "
-      "tables below say the same.",
-      seen.oscillator().rubbing + 1, parameter_of(result.parameter, result.origin));
+  data["picture_in_words"] =
+      fmt::format("The {} against {}. The tables below say the same.", drawn, parameter);
   std::vector<File> files = orbits::pictures(
       [&](PlotFormat format, PlotShape shape) { return plot_script(result, format, shape); }, "branches");
   data["picture"] = !files.empty();
@@ -309,9 +303,8 @@ std::string plot_script(const OverBox& result, PlotFormat format, PlotShape shap
 }
 
 std::vector<File> pages(const OverBox& result) {
-  const Seen seen{result.question.machine, result.origin.in_SI};
-  const std::string& word = result.question.word.letters();
-  Json data = frame(word + " over a box of data", command_of(result), seen, result.question.digits);
+  const Seen seen = seen_of(result);
+  Json data = frame(result.question.word.letters() + " over a box of data", result);
   data["tables"].push_back(orbits::table(
       "box", "Box", {{{"data"}, {box_of(result)}}, {{"looked for"}, {"at " + start_of(result)}}}));
   data["motions"] = Json::array();

@@ -28,60 +28,58 @@ struct Origin {
   std::string options = "--params " + file;  // that give it to a command
 };
 
-// A result with the machine that it is about.
-struct Attractors {
-  numeric::machines::MachineAttractors list;
+// One of the file's numbers, by its path, that varies, and at which value motions are looked for, if any are.
+struct Varied {
+  std::string path;
+  Rational from, to, start;
+};
+
+// Results: each has a question with the machine that it is about, and an origin.
+struct Attractors : numeric::machines::MachineAttractors {
   Origin origin;
 };
 // Along one of the file's numbers, by its path; where starts in a plane end.
-struct Diagram {
-  numeric::machines::MachineDiagram diagram;
+struct Diagram : numeric::machines::MachineDiagram {
   std::string parameter;
   Origin origin;
 };
-struct Basins {
-  numeric::machines::MachineBasins basins;
+struct Basins : numeric::machines::MachineBasins {
   Origin origin;
 };
-struct WordOrbits {
-  numeric::machines::MachineWordOrbits list;
+struct WordOrbits : numeric::machines::MachineWordOrbits {
   Origin origin;
 };
-// Of the branches of a word's orbits along one of the file's numbers.
-struct Branches {
-  numeric::machines::MachineWord question;  // with the machine at `start`
-  std::string parameter;                    // its path in the file
-  Rational from, to, start;
-  std::optional<int> orbit;  // of those at the start, from 1; nothing: all
-  bool all = false;          // that are not admissible, too
-  bool without_gaps = false;
-  std::vector<numeric::machines::MachineBranch> branches;
-  std::string seen;  // what was met at the start in place of an orbit
-  bool interrupted = false;
+// What follows the orbits of a word from where they were found, at the start.
+struct FromOrbits {
+  numeric::machines::MachineWord question;  // with the machine there
   Origin origin;
-};
-// Of motions through a word's phases where several of the file's numbers, by their paths, vary at once.
-struct OverBox {
-  numeric::machines::MachineWord question;  // with the machine at `start`
-  struct Datum {
-    std::string path;
-    Rational from, to, start;
-  };
-  std::vector<Datum> data = {};
-  std::optional<int> orbit = {};  // of those at the start, from 1; nothing: all
+  std::optional<int> orbit = {};  // of those there, from 1; nothing: all
   bool all = false;               // that are not admissible, too
-  long most_parts = 0;            // that are looked at, of each
+  std::string seen = {};          // what was met there in place of an orbit
+  bool interrupted = false;
+};
+// Their branches along a number.
+struct Branches : FromOrbits {
+  Varied varied;
+  bool without_gaps = false;
+  std::vector<numeric::machines::MachineBranch> branches = {};
+};
+// Their motions where several numbers vary at once.
+struct OverBox : FromOrbits {
+  std::vector<Varied> data = {};
+  long most_parts = 0;  // that are looked at, of each
   struct Family {
     numeric::machines::MachineOrbit at_start;
     std::vector<numeric::machines::PartOfBox> parts;
   };
   std::vector<Family> motions = {};
-  std::string seen = {};  // what was met at the start in place of an orbit
-  bool interrupted = false;
-  Origin origin = {};
 };
-// Steady sliding, and along one of the file's numbers; `machine` is the file's. With the share of starts that
-// end in it, if it was asked for.
+// Steady sliding, and along one of the file's numbers; the machine is the file's. With the share of starts
+// that end in it, if it was asked for.
+struct SteadyQuestion {
+  numeric::machines::Machine machine;
+  int digits = 20;
+};
 struct SteadyBasin {
   numeric::machines::Rectangle starts;
   numeric::machines::PlanarBasin basin;
@@ -91,34 +89,33 @@ struct SteadyBasins {
   numeric::machines::PlanarBasinAlong along;
 };
 struct Steady {
-  numeric::machines::Machine machine;
+  SteadyQuestion question;
   numeric::machines::SteadySliding state;
-  int digits = 20;
   Origin origin;
   std::optional<SteadyBasin> basin = {};
 };
 struct SteadyBranch {
-  numeric::machines::Machine machine;
-  std::string parameter;
-  Rational from, to;
+  SteadyQuestion question;
+  Varied varied;
   numeric::machines::SteadyAlong along;
-  int digits = 20;
   Origin origin;
   std::optional<SteadyBasins> basins = {};
 };
-struct Motion {
+struct MotionQuestion {
   numeric::machines::Machine machine;
-  Eigen::VectorXd start;  // (x, x')
-  double theta = 0;       // of the load at the start
-  double duration = 0;    // that was asked for
-  std::optional<double> every;
-  numeric::simulation::RecordOf<numeric::simulation::AnyState> record;
+  Eigen::VectorXd start = {};  // (x, x')
+  double theta = 0;            // of the load at the start
+  double duration = 0;
+  std::optional<double> every = {};
+};
+struct Motion {
+  MotionQuestion question;
   Origin origin;
+  numeric::simulation::RecordOf<numeric::simulation::AnyState> record = {};
 };
 
 // Where a box of starts is after some time.
-struct SetMotion {
-  numeric::machines::SetAfter set;
+struct SetMotion : numeric::machines::SetAfter {
   Origin origin;
 };
 
@@ -126,6 +123,19 @@ struct SetMotion {
 // The position of the mass on the belt is drawn: with a load once a period, without where phases begin.
 [[nodiscard]] orbits::ToldAlong told(const Diagram& result);
 [[nodiscard]] orbits::ToldPlane told(const Basins& result);
+template <class Result>
+concept OnManyStarts = requires(const Result& result) {
+  told(result);
+};
+[[nodiscard]] std::string terminal_report(const OnManyStarts auto& result, const tools::Style& style) {
+  return terminal_report(told(result), style);
+}
+[[nodiscard]] std::string to_csv(const OnManyStarts auto& result) {
+  return to_csv(told(result));
+}
+[[nodiscard]] std::string plot_script(const OnManyStarts auto& result, tools::PlotFormat format) {
+  return plot_script(told(result), format);
+}
 [[nodiscard]] std::string terminal_report(const WordOrbits& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Branches& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const OverBox& result, const tools::Style& style);
@@ -134,16 +144,9 @@ struct SetMotion {
 [[nodiscard]] std::string terminal_report(const Motion& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const SetMotion& result, const tools::Style& style);
 
-[[nodiscard]] tools::Json to_json(const Attractors& result);
-[[nodiscard]] tools::Json to_json(const Diagram& result);
-[[nodiscard]] tools::Json to_json(const Basins& result);
-[[nodiscard]] tools::Json to_json(const WordOrbits& result);
-[[nodiscard]] tools::Json to_json(const Branches& result);
-[[nodiscard]] tools::Json to_json(const OverBox& result);
-[[nodiscard]] tools::Json to_json(const Steady& result);
-[[nodiscard]] tools::Json to_json(const SteadyBranch& result);
-[[nodiscard]] tools::Json to_json(const Motion& result);
-[[nodiscard]] tools::Json to_json(const SetMotion& result);
+// Of each of these.
+template <class Result>
+[[nodiscard]] tools::Json to_json(const Result& result);
 [[nodiscard]] std::vector<tools::File> schemas();
 
 // A line of names, then a line for each orbit that was proved on its own: the number, the branch, the state,

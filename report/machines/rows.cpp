@@ -1,7 +1,6 @@
 #include "report/machines/rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -37,11 +36,11 @@ std::string law(const Seen& seen, const model::FrictionLaw<Rational>& law) {
                        f.fall == model::Fall::exponential ? "exponentially" : "hyperbolically",
                        seen.with(f.scale, "m/s"), viscous);
   }
-  std::vector<std::string> points;
-  for (const model::SlidingPiece<Rational>& piece : law.sliding) {
-    points.push_back(fmt::format("{} from {}", to_string(piece.force), to_string(piece.from)));
-  }
-  return fmt::format("{} at rest; sliding {}{}", seen.with(law.at_rest, "N"), fmt::join(points, ", "),
+  return fmt::format("{} at rest; sliding {}{}", seen.with(law.at_rest, "N"),
+                     enumerated(law.sliding,
+                                [](const model::SlidingPiece<Rational>& piece) {
+                                  return to_string(piece.force) + " from " + to_string(piece.from);
+                                }),
                      seen.in_SI ? " (N, m/s)" : "");
 }
 
@@ -70,18 +69,11 @@ std::vector<std::size_t> Seen::shown_masses() const {
 
 std::vector<Row> machine_rows(const Seen& seen) {
   const model::FrictionOscillator<Rational>& o = seen.oscillator();
-  std::vector<std::string> masses;
-  for (const Rational& m : o.masses) {
-    masses.push_back(seen.with(m, "kg"));
-  }
-  bool damped = false;
-  for (Eigen::Index i = 0; i < o.damping.size(); ++i) {
-    damped = damped || o.damping.data()[i] != 0;
-  }
-  std::vector<Row> rows{
-      {{"masses"}, {fmt::format("{}{}", fmt::join(masses, ", "), damped ? "; with dashpots" : "")}},
-      {{"belt"}, {fmt::format("under mass {}, {}", o.rubbing + 1, seen.with(o.V, "m/s"))}},
-      {{"friction"}, {law(seen, o.forward)}}};
+  const std::string masses = enumerated(o.masses, [&](const Rational& m) { return seen.with(m, "kg"); });
+  const bool damped = (o.damping.array() != Rational(0)).any();
+  std::vector<Row> rows{{{"masses"}, {fmt::format("{}{}", masses, damped ? "; with dashpots" : "")}},
+                        {{"belt"}, {fmt::format("under mass {}, {}", o.rubbing + 1, seen.with(o.V, "m/s"))}},
+                        {{"friction"}, {law(seen, o.forward)}}};
   if (law(seen, o.backward) != law(seen, o.forward)) {
     rows.push_back({{"  overshooting"}, {law(seen, o.backward)}});
   }
@@ -137,29 +129,27 @@ orbits::SeenOscillator oscillator_of(const Seen& seen, const Origin& origin) {
 }  // namespace
 
 orbits::ToldAlong told(const Diagram& result) {
-  const MachineDiagram& d = result.diagram;
-  const MachineStarts& q = d.question;
-  const Seen seen{q.machine, result.origin.in_SI};
+  const MachineStarts& q = result.question;
+  const Seen seen = seen_of(result);
   orbits::ToldAlong along{oscillator_of(seen, result.origin),
                           result.parameter,
                           parameter_of(result.parameter, result.origin),
-                          d.from,
-                          d.to,
-                          d.values,
+                          result.from,
+                          result.to,
+                          result.values,
                           q.starts,
                           q.seed,
                           {},
-                          d.interrupted};
-  for (const auto& point : d.points) {
+                          result.interrupted};
+  for (const auto& point : result.points) {
     along.points.push_back({point.value, point.outside, told(point.attractors, seen), point.once});
   }
   return along;
 }
 
-orbits::ToldPlane told(const Basins& result) {
-  const MachineBasins& b = result.basins;
-  const Seen seen{b.question.machine, result.origin.in_SI};
-  return {oscillator_of(seen, result.origin),
+orbits::ToldPlane told(const Basins& b) {
+  const Seen seen = seen_of(b);
+  return {oscillator_of(seen, b.origin),
           b.across,
           b.pixels,
           b.starts,
@@ -225,43 +215,41 @@ std::vector<orbits::Coordinate> coordinates_of(const Seen& seen) {
   const std::size_t n = seen.oscillator().size();
   for (std::size_t k = 0; k < 2 * n; ++k) {
     coordinates.push_back(
-        {coordinate(seen, static_cast<Eigen::Index>(k), false), seen.in_SI ? (k < n ? "m" : "m/s") : ""});
+        {fmt::format("x{}{}", k % n + 1, k < n ? "" : "'"), seen.in_SI ? (k < n ? "m" : "m/s") : ""});
   }
   return coordinates;
 }
 
-std::string coordinate(const Seen& seen, Eigen::Index k, bool with_unit) {
-  const auto n = static_cast<Eigen::Index>(seen.oscillator().size());
-  return fmt::format("x{}{}", k % n + 1, k < n ? "" : "'") +
-         (with_unit ? seen.unit(k < n ? "m" : "m/s") : "");
+std::array<std::string, 2> plane_of(const Basins& b) {
+  const std::vector<orbits::Coordinate> all = coordinates_of(seen_of(b));
+  return {all.at(static_cast<std::size_t>(b.across[0])).name,
+          all.at(static_cast<std::size_t>(b.across[1])).name};
 }
 
 std::string command_of(const Diagram& result) {
-  const MachineDiagram& d = result.diagram;
-  const MachineStarts& q = d.question;
+  const MachineStarts& q = result.question;
   return fmt::format(
       "stickslip attractors {} --along {} {}..{} --values {} --starts {} --seed {} --most-periods "
       "{} "
       "--digits {}",
-      result.origin.options, result.parameter, to_string(d.from), to_string(d.to), d.values, q.starts, q.seed,
-      q.most_periods, q.digits);
+      result.origin.options, result.parameter, to_string(result.from), to_string(result.to), result.values,
+      q.starts, q.seed, q.most_periods, q.digits);
 }
 
-std::string command_of(const Basins& result) {
-  const MachineBasins& b = result.basins;
-  const Seen seen{b.question.machine, result.origin.in_SI};
+std::string command_of(const Basins& b) {
+  const auto [across, up] = plane_of(b);
   return fmt::format(
       "stickslip attractors {} --plane \"{},{}\" --pixels {}{}{} --most-periods {} --digits {}{}",
-      result.origin.options, coordinate(seen, b.across[0], false), coordinate(seen, b.across[1], false),
-      b.pixels[0], b.through ? " --through=" + orbits::comma_separated(*b.through) : "",
+      b.origin.options, across, up, b.pixels[0],
+      b.through ? " --through=" + orbits::comma_separated(*b.through) : "",
       b.half ? fmt::format(" --window={:.17g},{:.17g}", (*b.half)[0], (*b.half)[1]) : "",
       b.question.most_periods, b.question.digits, b.prove ? " --neighbourhood" : "");
 }
 
 std::string command_of(const Attractors& result) {
-  const MachineStarts& q = result.list.question;
+  const MachineStarts& q = result.question;
   const bool with_neighbourhoods = std::ranges::any_of(
-      result.list.attractors, [](const auto& a) { return a.orbit && a.orbit->neighbourhood != nullptr; });
+      result.attractors, [](const auto& a) { return a.orbit && a.orbit->neighbourhood != nullptr; });
   return fmt::format("stickslip attractors --params {} --starts {} --seed {} --most-periods {} --digits {}{}",
                      result.origin.file, q.starts, q.seed, q.most_periods, q.digits,
                      with_neighbourhoods ? " --neighbourhood" : "");
@@ -269,48 +257,52 @@ std::string command_of(const Attractors& result) {
 
 namespace {
 
-std::string of_word(const MachineWord& q, const Origin& origin) {
-  return q.word.letters() + " " + origin.options +
+// The word, the machine and what else says which of its orbits are meant.
+std::string of_word(const auto& result) {
+  const MachineWord& q = result.question;
+  return q.word.letters() + " " + result.origin.options +
          (q.periods ? fmt::format(" --period {}", *q.periods) : "") +
          (q.near ? " --near=" + orbits::comma_separated(*q.near) : "");
+}
+
+std::string along(const Varied& v) {
+  return fmt::format(" --along {} {}..{}", v.path, to_string(v.from), to_string(v.to));
+}
+
+std::string which(const FromOrbits& result) {
+  return (result.orbit ? fmt::format(" --orbit {}", *result.orbit) : "") + (result.all ? " --all" : "");
 }
 
 }  // namespace
 
 std::string command_of(const WordOrbits& result) {
-  const bool with_neighbourhoods = std::ranges::any_of(
-      result.list.orbits, [](const auto& orbit) { return orbit.neighbourhood != nullptr; });
-  return fmt::format("stickslip orbits {} --digits {}{}", of_word(result.list.question, result.origin),
-                     result.list.question.digits, with_neighbourhoods ? " --neighbourhood" : "");
+  const bool with_neighbourhoods =
+      std::ranges::any_of(result.orbits, [](const auto& orbit) { return orbit.neighbourhood != nullptr; });
+  return fmt::format("stickslip orbits {} --digits {}{}", of_word(result), result.question.digits,
+                     with_neighbourhoods ? " --neighbourhood" : "");
 }
 
 std::string command_of(const Branches& result) {
-  return fmt::format(
-      "stickslip branch {} --along {} {}..{} --at {}{}{}", of_word(result.question, result.origin),
-      result.parameter, to_string(result.from), to_string(result.to), to_string(result.start),
-      result.orbit ? fmt::format(" --orbit {}", *result.orbit) : "",
-      std::string(result.all ? " --all" : "") + (result.without_gaps ? " --without-gaps" : ""));
+  return fmt::format("stickslip branch {}{} --at {}{}{}", of_word(result), along(result.varied),
+                     to_string(result.varied.start), which(result),
+                     result.without_gaps ? " --without-gaps" : "");
 }
 
 std::string command_of(const OverBox& result) {
-  std::string along;
-  for (const auto& [path, from, to, start] : result.data) {
-    along += fmt::format(" --along {} {}..{}", path, to_string(from), to_string(to));
-  }
-  return fmt::format("stickslip branch {}{}{}{} --parts {}", of_word(result.question, result.origin), along,
-                     result.orbit ? fmt::format(" --orbit {}", *result.orbit) : "",
-                     result.all ? " --all" : "", result.most_parts);
+  return fmt::format("stickslip branch {}{}{} --parts {}", of_word(result),
+                     enumerated(result.data, along, ""), which(result), result.most_parts);
 }
 
 std::string command_of(const Motion& result) {
+  const MotionQuestion& q = result.question;
   return fmt::format("stickslip simulate --params {} --state={}{} --time={:.17g}{}", result.origin.file,
-                     orbits::comma_separated(result.start),
-                     result.theta == 0 ? "" : fmt::format(" --phi={:.17g}", result.theta), result.duration,
-                     result.every ? fmt::format(" --every={:.17g}", *result.every) : "");
+                     orbits::comma_separated(q.start),
+                     q.theta == 0 ? "" : fmt::format(" --phi={:.17g}", q.theta), q.duration,
+                     q.every ? fmt::format(" --every={:.17g}", *q.every) : "");
 }
 
 std::string command_of(const SetMotion& result) {
-  const SetAfterQuestion& q = result.set.question;
+  const SetAfterQuestion& q = result.question;
   return fmt::format("stickslip simulate {} --state={} --set={}{} --time={:.17g}", result.origin.options,
                      orbits::comma_separated(q.middle), orbits::comma_separated(q.half),
                      q.theta == 0 ? "" : fmt::format(" --phi={:.17g}", q.theta), q.time);
@@ -470,21 +462,20 @@ BoxRows rows_of(const OverBox& result, const OverBox::Family& family) {
   return rows;
 }
 
+std::string range_of(const Varied& v, const Origin& origin) {
+  return fmt::format("{} from {} to {}", parameter_of(v.path, origin), to_string(v.from), to_string(v.to));
+}
+
+std::string start_of(const Varied& v) {
+  return fmt::format("{} = {}", v.path, to_string(v.start));
+}
+
 std::string box_of(const OverBox& result) {
-  std::vector<std::string> all;
-  for (const auto& [path, from, to, start] : result.data) {
-    all.push_back(
-        fmt::format("{} from {} to {}", parameter_of(path, result.origin), to_string(from), to_string(to)));
-  }
-  return fmt::format("{}", fmt::join(all, ", "));
+  return enumerated(result.data, [&](const Varied& varied) { return range_of(varied, result.origin); });
 }
 
 std::string start_of(const OverBox& result) {
-  std::vector<std::string> all;
-  for (const OverBox::Datum& datum : result.data) {
-    all.push_back(fmt::format("{} = {}", datum.path, to_string(datum.start)));
-  }
-  return fmt::format("{}", fmt::join(all, ", "));
+  return enumerated(result.data, [](const Varied& varied) { return start_of(varied); });
 }
 
 std::string parameter_of(const std::string& path, const Origin& origin) {
@@ -519,13 +510,12 @@ std::string others_text(const Verdict& others) {
 }  // namespace
 
 std::string command_of(const Steady& result) {
-  return fmt::format("stickslip orbits S --params {} --digits {}{}", result.origin.file, result.digits,
-                     result.basin ? basin_option(result.basin->starts) : "");
+  return fmt::format("stickslip orbits S --params {} --digits {}{}", result.origin.file,
+                     result.question.digits, result.basin ? basin_option(result.basin->starts) : "");
 }
 
 std::string command_of(const SteadyBranch& result) {
-  return fmt::format("stickslip branch S --params {} --along {} {}..{}{}", result.origin.file,
-                     result.parameter, to_string(result.from), to_string(result.to),
+  return fmt::format("stickslip branch S --params {}{}{}", result.origin.file, along(result.varied),
                      result.basins ? basin_option(result.basins->starts) : "");
 }
 

@@ -1,6 +1,7 @@
 // Sentences and rows on machines that texts and pages share.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ struct Seen {
   [[nodiscard]] std::vector<std::size_t> shown_masses() const;
 };
 
-// "x1", …, "x1'", …, with units: of coordinate k of (x, x').
-[[nodiscard]] std::string coordinate(const Seen& seen, Eigen::Index k, bool with_unit);
+// What a result is about.
+[[nodiscard]] Seen seen_of(const auto& result) {
+  return {result.question.machine, result.origin.in_SI};
+}
 
 // Masses, belt, friction, loads: a label and a sentence each.
 [[nodiscard]] std::vector<tools::Row> machine_rows(const Seen& seen);
@@ -35,8 +38,10 @@ struct Seen {
                                                  const Seen& seen, int digits);
 [[nodiscard]] std::vector<tools::Row> phase_rows(const numeric::machines::MachineOrbit& orbit,
                                                  const Seen& seen);
-// For tables of a neighbourhood.
+// "x1", …, "x1'", …: of (x, x').
 [[nodiscard]] std::vector<orbits::Coordinate> coordinates_of(const Seen& seen);
+// Of a plane those that vary: "x1", "x2".
+[[nodiscard]] std::array<std::string, 2> plane_of(const Basins& result);
 // What is known: "proved, stable, |mu| = 0.78".
 [[nodiscard]] std::string remark(const numeric::machines::MachineOrbit& orbit);
 [[nodiscard]] std::vector<orbits::ToldEnding> told(
@@ -70,7 +75,10 @@ struct BoxRows {
   std::vector<tools::Row> kinds;
 };
 [[nodiscard]] BoxRows rows_of(const OverBox& result, const OverBox::Family& family);
-// "belt.velocity in m/s from 0.09 to 0.11", "belt.velocity = 1/10" of each number.
+// "belt.velocity in m/s from 0.09 to 0.11"; "belt.velocity = 1/10".
+[[nodiscard]] std::string range_of(const Varied& varied, const Origin& origin);
+[[nodiscard]] std::string start_of(const Varied& varied);
+// The same of each number.
 [[nodiscard]] std::string box_of(const OverBox& result);
 [[nodiscard]] std::string start_of(const OverBox& result);
 // The path, with its unit where it is known.

@@ -10,6 +10,7 @@
 #include "report/orbits/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
+#include "report/orbits/record_json.hpp"
 #include "report/tools/numbers.hpp"
 
 namespace stickslip::report::machines {
@@ -66,19 +67,17 @@ std::string machine_text(const Seen& seen, const Style& style, const std::vector
 }
 
 std::string state_of(const Eigen::VectorXd& X, const Seen& seen) {
-  std::string text;
-  const Eigen::Index n = X.size() / 2;
-  for (Eigen::Index i = 0; i < X.size(); ++i) {
-    text += fmt::format("{}x{}{} = {:.9g}", text.empty() ? "" : ", ", i % n + 1, i < n ? "" : "'", X(i));
-  }
-  return text + seen.unit("m and m/s");
+  const double * x = X.data();
+  return enumerated(
+             coordinates_of(seen),
+             [&](const orbits::Coordinate& one) { return fmt::format("{} = {:.9g}", one.name, *x++); }) +
+         seen.unit("m and m/s");
 }
 
 }  // namespace
 
-std::string terminal_report(const Attractors& result, const Style& style) {
-  const MachineAttractors& list = result.list;
-  const Seen seen{list.question.machine, result.origin.in_SI};
+std::string terminal_report(const Attractors& list, const Style& style) {
+  const Seen seen = seen_of(list);
   std::string text =
       heading("What the machine does", style) + machine_text(seen, style, starts_row(list)) + "\n" +
       table_of(told(list.attractors, seen), "period" + seen.unit("s"), orbits::WithInterval::yes, style);
@@ -102,9 +101,8 @@ std::string terminal_report(const Attractors& result, const Style& style) {
          margins(proved, seen, style);
 }
 
-std::string terminal_report(const WordOrbits& result, const Style& style) {
-  const MachineWordOrbits& list = result.list;
-  const Seen seen{list.question.machine, result.origin.in_SI};
+std::string terminal_report(const WordOrbits& list, const Style& style) {
+  const Seen seen = seen_of(list);
   const auto& q = list.question;
   std::vector<Row> more{
       {{"orbits"},
@@ -121,72 +119,73 @@ std::string terminal_report(const WordOrbits& result, const Style& style) {
   return text + (list.orbits.empty() ? "" : "\n" + margins(list.orbits, seen, style));
 }
 
+namespace {
+
+// Rows below their names, all behind two spaces.
+std::string indented(const Row& names, std::vector<Row> rows, const Style& style) {
+  rows.insert(rows.begin(), names);
+  for (Row& row : rows) {
+    row[0].text = "  " + row[0].text;
+  }
+  return columns_of(rows, style.width);
+}
+
+// Behind how many were followed.
+std::string what_else(const FromOrbits& result) {
+  return (result.seen.empty() ? "" : "; " + result.seen) + (result.interrupted ? "; interrupted" : "");
+}
+
+}  // namespace
+
 std::string terminal_report(const Branches& result, const Style& style) {
-  const Seen seen{result.question.machine, result.origin.in_SI};
-  std::vector<Row> more{{{"branches"},
-                         {fmt::format("{} from {} = {}{}{}", result.branches.size(), result.parameter,
-                                      to_string(result.start), result.seen.empty() ? "" : "; " + result.seen,
-                                      result.interrupted ? "; interrupted" : "")}}};
-  std::string text = heading(fmt::format("{} along {} from {} to {}", result.question.word.letters(),
-                                         parameter_of(result.parameter, result.origin),
-                                         to_string(result.from), to_string(result.to)),
+  std::vector<Row> more{
+      {{"branches"},
+       {fmt::format("{} from {}{}", result.branches.size(), start_of(result.varied), what_else(result))}}};
+  std::string text = heading(fmt::format("{} along {}", result.question.word.letters(),
+                                         range_of(result.varied, result.origin)),
                              style) +
-                     machine_text(seen, style, more);
+                     machine_text(seen_of(result), style, more);
   for (std::size_t k = 0; k < result.branches.size(); ++k) {
-    BranchRows rows = rows_of(result.branches[k]);
+    const BranchRows rows = rows_of(result.branches[k]);
     text +=
         "\n" + heading(fmt::format("Branch {}", k + 1), style) + labelled(2, "", rows.heading, style.width);
-    rows.pieces.insert(rows.pieces.begin(), {{"from"}, {"to"}, {"motions"}, {"they are"}});
-    for (Row& row : rows.pieces) {
-      row[0].text = "  " + row[0].text;
-    }
-    text += columns_of(rows.pieces, style.width);
+    text += indented({{"from"}, {"to"}, {"motions"}, {"they are"}}, rows.pieces, style);
     if (!rows.changes.empty()) {
-      rows.changes.insert(rows.changes.begin(), {{"at " + result.parameter}, {"change"}, {""}});
-      for (Row& row : rows.changes) {
-        row[0].text = "  " + row[0].text;
-      }
-      text += columns_of(rows.changes, style.width);
+      text += indented({{"at " + result.varied.path}, {"change"}, {""}}, rows.changes, style);
     }
   }
   return text;
 }
 
 std::string terminal_report(const OverBox& result, const Style& style) {
-  const Seen seen{result.question.machine, result.origin.in_SI};
-  std::vector<Row> more{{{"box"}, {box_of(result)}},
-                        {{"motions"},
-                         {fmt::format("{} at {}{}{}", result.motions.size(), start_of(result),
-                                      result.seen.empty() ? "" : "; " + result.seen,
-                                      result.interrupted ? "; interrupted" : "")}}};
+  std::vector<Row> more{
+      {{"box"}, {box_of(result)}},
+      {{"motions"}, {fmt::format("{} at {}{}", result.motions.size(), start_of(result), what_else(result))}}};
   std::string text = heading(fmt::format("{} over a box of data", result.question.word.letters()), style) +
-                     machine_text(seen, style, more);
+                     machine_text(seen_of(result), style, more);
   for (std::size_t k = 0; k < result.motions.size(); ++k) {
     const OverBox::Family& family = result.motions[k];
-    BoxRows rows = rows_of(result, family);
+    const BoxRows rows = rows_of(result, family);
     text += "\n" + heading(fmt::format("Motion {}: {}", k + 1, remark(family.at_start)), style) +
             labelled(2, "", rows.heading, style.width);
-    rows.kinds.insert(rows.kinds.begin(), {{"of the box"}, {"parts"}, {"motions are"}});
-    for (Row& row : rows.kinds) {
-      row[0].text = "  " + row[0].text;
-    }
-    text += columns_of(rows.kinds, style.width);
+    text += indented({{"of the box"}, {"parts"}, {"motions are"}}, rows.kinds, style);
   }
   return text;
 }
 
 std::string terminal_report(const Steady& result, const Style& style) {
-  const Seen seen{result.machine, result.origin.in_SI};
-  std::vector<Row> rows = rows_of(result.state, seen, result.digits);
+  const Seen seen = seen_of(result);
+  const int digits = result.question.digits;
+  std::vector<Row> rows = rows_of(result.state, seen, digits);
   if (result.basin) {
-    std::ranges::move(rows_of(*result.basin, seen, result.digits), std::back_inserter(rows));
+    std::ranges::move(rows_of(*result.basin, seen, digits), std::back_inserter(rows));
   }
   return heading("Steady sliding", style) + machine_text(seen, style, {}) + "\n" +
          columns_of(rows, style.width);
 }
 
 std::string terminal_report(const SteadyBranch& result, const Style& style) {
-  const Seen seen{result.machine, result.origin.in_SI};
+  const Seen seen = seen_of(result);
   std::vector<Row> rows{{{"from"}, {"to"}, {"values"}, {"steady sliding is"}}};
   const auto& samples = result.along.samples;
   const auto name = [](const SteadySliding& state) {
@@ -201,77 +200,57 @@ std::string terminal_report(const SteadyBranch& result, const Style& style) {
                     {name(now->state)}});
     now = next;
   }
-  std::string text = heading(fmt::format("Steady sliding along {} from {} to {}",
-                                         parameter_of(result.parameter, result.origin),
-                                         to_string(result.from), to_string(result.to)),
-                             style) +
+  std::string text = heading("Steady sliding along " + range_of(result.varied, result.origin), style) +
                      machine_text(seen, style, {}) + "\n" + columns_of(rows, style.width);
   std::vector<Row> changes = rows_of(result.along, seen);
   if (result.basins) {
     const Rectangle& r = result.basins->starts;
     text += fmt::format("\nStarts with x1 from {} to {} and x1' from {} to {} that end in it, proved\n",
                         to_string(r.x_from), to_string(r.x_to), to_string(r.y_from), to_string(r.y_to)) +
-            columns_of(rows_of(*result.basins, result.parameter), style.width) + "\n";
+            columns_of(rows_of(*result.basins, result.varied.path), style.width) + "\n";
     std::ranges::move(end_rows(*result.basins), std::back_inserter(changes));
   }
   if (!changes.empty()) {
-    changes.insert(changes.begin(), {{"at " + result.parameter}, {"change"}});
+    changes.insert(changes.begin(), {{"at " + result.varied.path}, {"change"}});
     text += columns_of(changes, style.width);
   }
   return text;
 }
 
 std::string terminal_report(const Motion& result, const Style& style) {
-  const Seen seen{result.machine, result.origin.in_SI};
+  const Seen seen = seen_of(result);
   const auto& record = result.record;
-  std::string shares;
-  for (const motion::PhaseKind kind :
-       {motion::PhaseKind::slip, motion::PhaseKind::overshoot, motion::PhaseKind::stick}) {
-    shares += fmt::format("{}{} {:.3f} %", shares.empty() ? "" : ", ", to_string(kind),
-                          100 * record.time_in[static_cast<std::size_t>(kind)] / record.done);
-  }
   std::vector<Row> rows{
-      {{"start"}, {state_of(result.start, seen)}},
+      {{"start"}, {state_of(result.question.start, seen)}},
       {{"simulated"},
        {fmt::format("t = {:.9g}{}{}", record.done, seen.in_SI ? " s" : "",
                     record.interrupted ? "; interrupted" : "")}},
       {{"end"}, {fmt::format("{}: {}", to_string(record.end.phase), state_of(record.end.X, seen))}},
-      {{"shares"}, {shares}},
+      {{"shares"}, {orbits::shares_in_words(record)}},
       {{"energy"}, {fmt::format("{:.6g}{} at the end", record.end.energy, seen.in_SI ? " J" : "")}},
       {{"events"}, {fmt::format("{}", record.events)}}};
-  std::string text = heading("A motion of the machine", style) + machine_text(seen, style, rows);
-  std::vector<Row> events{{{"  event at t" + seen.unit("s")}, {"from"}, {"to"}, {"r" + seen.unit("N")}}};
+  Row names{{"  event at t" + seen.unit("s")}, {"from"}, {"to"}, {"r" + seen.unit("N")}};
   for (const std::size_t mass : seen.shown_masses()) {
-    events[0].push_back({fmt::format("x{}{}", mass + 1, seen.unit("m"))});
+    names.push_back({fmt::format("x{}{}", mass + 1, seen.unit("m"))});
   }
   const auto piece = [](motion::PhaseKind kind, int number) {
     return number == 0 ? to_string(kind) : fmt::format("{}, piece {}", to_string(kind), number + 1);
   };
-  const auto add = [&](const auto& some) {
-    for (const auto& e : some) {
-      events.push_back({{fmt::format("  {:.9g}", e.time)},
-                        {piece(e.before, e.piece_before)},
-                        {piece(e.after, e.piece_after)},
-                        {fmt::format("{:.6g}", e.r)}});
-      for (const std::size_t mass : seen.shown_masses()) {
-        events.back().push_back({fmt::format("{:.6g}", e.X(static_cast<Eigen::Index>(mass)))});
-      }
-    }
-  };
-  add(record.first_events);
-  const long left_out = record.events - static_cast<long>(record.first_events.size()) -
-                        static_cast<long>(record.last_events.size());
-  if (left_out > 0) {
-    events.push_back({{"  ..."}, {fmt::format("{} more", left_out)}});
-    events.back().resize(events[0].size(), {""});
-  }
-  add(record.last_events);
-  return record.events == 0 ? text : text + "\n" + columns_of(events, style.width);
+  return heading("A motion of the machine", style) + machine_text(seen, style, rows) +
+         orbits::event_table(names, record, style, [&](const auto& e) {
+           Row row{{fmt::format("  {:.9g}", e.time)},
+                   {piece(e.before, e.piece_before)},
+                   {piece(e.after, e.piece_after)},
+                   {fmt::format("{:.6g}", e.r)}};
+           for (const std::size_t mass : seen.shown_masses()) {
+             row.push_back({fmt::format("{:.6g}", e.X(static_cast<Eigen::Index>(mass)))});
+           }
+           return row;
+         });
 }
 
 std::string to_csv(const Branches& result) {
-  const std::size_t n = result.question.machine.oscillator.size();
-  std::string text = result.parameter + ",branch,state,period";
+  std::string text = result.varied.path + ",branch,state,period";
   std::size_t phases = 0;
   for (const MachineBranch& branch : result.branches) {
     for (const MachineSample& s : branch.samples) {
@@ -281,10 +260,8 @@ std::string to_csv(const Branches& result) {
   for (std::size_t k = 0; k < phases; ++k) {
     text += fmt::format(",tau{}", k + 1);
   }
-  for (const char * dash : {"", "'"}) {
-    for (std::size_t i = 0; i < n; ++i) {
-      text += fmt::format(",x{}{}", i + 1, dash);
-    }
+  for (const orbits::Coordinate& x : coordinates_of(seen_of(result))) {
+    text += "," + x.name;
   }
   text += "\n";
   for (std::size_t b = 0; b < result.branches.size(); ++b) {
@@ -306,8 +283,8 @@ std::string to_csv(const Branches& result) {
 
 std::string to_csv(const OverBox& result) {
   std::string text = "motion";
-  for (const OverBox::Datum& datum : result.data) {
-    text += fmt::format(",{0} from,{0} to", datum.path);
+  for (const Varied& varied : result.data) {
+    text += fmt::format(",{0} from,{0} to", varied.path);
   }
   text += ",existence,state,names,reason\n";
   for (std::size_t k = 0; k < result.motions.size(); ++k) {
@@ -324,12 +301,10 @@ std::string to_csv(const OverBox& result) {
 }
 
 std::string csv_names(const Motion& motion) {
-  const Seen seen{motion.machine, motion.origin.in_SI};
+  const Seen seen = seen_of(motion);
   std::string text = "t" + seen.unit("s") + ",phase";
-  for (const auto& [dash, unit] : {std::pair("", "m"), std::pair("'", "m/s")}) {
-    for (std::size_t i = 0; i < seen.oscillator().size(); ++i) {
-      text += fmt::format(",x{}{}{}", i + 1, dash, seen.unit(unit));
-    }
+  for (const orbits::Coordinate& x : coordinates_of(seen)) {
+    text += "," + orbits::named(x);
   }
   return text + fmt::format(",r{0},u{0},E{1}\n", seen.unit("N"), seen.unit("J"));
 }
@@ -342,10 +317,9 @@ std::string csv_line(const simulation::SampleOf<simulation::AnyState>& s) {
   return text + fmt::format(",{:.17g},{:.17g},{:.17g}\n", s.r, s.u, s.energy);
 }
 
-std::string terminal_report(const SetMotion& result, const Style& style) {
-  const SetAfter& set = result.set;
+std::string terminal_report(const SetMotion& set, const Style& style) {
   const SetAfterQuestion& q = set.question;
-  const Seen seen{q.machine, result.origin.in_SI};
+  const Seen seen = seen_of(set);
   std::map<std::string, double> words;
   for (const SetAfter::Part& part : set.parts) {
     words[part.phases()] += set.share(part);
@@ -356,12 +330,14 @@ std::string terminal_report(const SetMotion& result, const Style& style) {
   }
   std::ranges::sort(by_share);
   constexpr std::size_t most_words = 6;
-  std::string through;
-  for (std::size_t k = 0; k < std::min(by_share.size(), most_words); ++k) {
-    through += fmt::format("{}{} ({:.3g} %)", k == 0 ? "" : ", ", orbits::shortened(by_share[k].second),
-                           -100 * by_share[k].first);
-  }
-  through += by_share.size() > most_words ? fmt::format(" and {} more", by_share.size() - most_words) : "";
+  const std::size_t more = by_share.size() - std::min(by_share.size(), most_words);
+  by_share.resize(by_share.size() - more);
+  const std::string through =
+      enumerated(by_share,
+                 [](const auto& one) {
+                   return fmt::format("{} ({:.3g} %)", orbits::shortened(one.second), -100 * one.first);
+                 }) +
+      (more > 0 ? fmt::format(" and {} more", more) : "");
   std::vector<Row> head{
       {{"after"}, {fmt::format("{:.9g}{}", q.time, seen.in_SI ? " s" : "")}},
       {{"proved"},
@@ -382,8 +358,9 @@ std::string terminal_report(const SetMotion& result, const Style& style) {
     return text;
   }
   std::vector<Row> rows{{{"  "}, {"starts from"}, {"to"}, {"then from"}, {"to"}}};
+  const std::vector<orbits::Coordinate> names = coordinates_of(seen);
   for (Eigen::Index k = 0; k < all.size(); ++k) {
-    rows.push_back({{"  " + coordinate(seen, k, true)},
+    rows.push_back({{"  " + orbits::named(names[static_cast<std::size_t>(k)])},
                     {fmt::format("{:.9g}", q.middle(k) - q.half(k))},
                     {fmt::format("{:.9g}", q.middle(k) + q.half(k))},
                     {below(scalars::ends(all(k)).first, 9)},

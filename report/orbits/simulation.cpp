@@ -30,50 +30,27 @@ std::string state_of(const model::Vector4<double>& X, const Units& units) {
                      units.are_SI() ? " in m and m/s" : "");
 }
 
-std::string shares(const Record& record) {
-  std::string text;
-  for (const PhaseKind kind : {PhaseKind::slip, PhaseKind::overshoot, PhaseKind::stick}) {
-    const double share = record.time_in[static_cast<std::size_t>(kind)] / record.done;
-    text += fmt::format("{}{} {:.3f} %", text.empty() ? "" : ", ", to_string(kind), 100 * share);
-  }
-  return text;
-}
-
-void add_events(std::vector<Row>& rows, const std::vector<Transition>& events, const Units& units) {
-  // In SI units lengths of a machine are small.
-  const auto number = [&](double x) {
-    return units.are_SI() ? fmt::format("{:.6g}", x) : fmt::format("{:.6f}", x);
-  };
-  for (const Transition& e : events) {
-    rows.push_back({{fmt::format("  {:.9g}", e.time)},
-                    {to_string(e.before)},
-                    {to_string(e.after)},
-                    {number(e.r)},
-                    {number(e.X(0))},
-                    {number(e.X(1))},
-                    {number(e.X(2))}});
-  }
-}
-
 std::string events(const Record& record, const Style& style, const Units& units) {
-  if (record.events == 0) {
-    return "";
-  }
-  std::vector<Row> rows{{{units.labelled("  event at t", "s")},
-                         {"from"},
-                         {"to"},
-                         {units.labelled("r", "N")},
-                         {units.labelled("x1", "m")},
-                         {units.labelled("x2", "m")},
-                         {units.labelled("x1'", "m/s")}}};
-  add_events(rows, record.first_events, units);
-  const long left_out = record.events - static_cast<long>(record.first_events.size()) -
-                        static_cast<long>(record.last_events.size());
-  if (left_out > 0) {
-    rows.push_back({{"  ..."}, {fmt::format("{} more", left_out)}, {""}, {""}, {""}, {""}, {""}});
-  }
-  add_events(rows, record.last_events, units);
-  return "\n" + columns_of(rows, style.width);
+  // In SI units lengths of a machine are small.
+  const auto number = [&](double x) -> Cell {
+    return {units.are_SI() ? fmt::format("{:.6g}", x) : fmt::format("{:.6f}", x)};
+  };
+  return event_table({{units.labelled("  event at t", "s")},
+                      {"from"},
+                      {"to"},
+                      {units.labelled("r", "N")},
+                      {units.labelled("x1", "m")},
+                      {units.labelled("x2", "m")},
+                      {units.labelled("x1'", "m/s")}},
+                     record, style, [&](const Transition& e) -> Row {
+                       return {{fmt::format("  {:.9g}", e.time)},
+                               {to_string(e.before)},
+                               {to_string(e.after)},
+                               number(e.r),
+                               number(e.X(0)),
+                               number(e.X(1)),
+                               number(e.X(2))};
+                     });
 }
 
 }  // namespace
@@ -88,7 +65,7 @@ std::string terminal_report(const Simulated& simulated, const Style& style, cons
        {fmt::format("{:.9g} periods of the load, t = {:.9g}{}{}", periods, record.done, units.unit(" s"),
                     record.interrupted ? "; interrupted" : "")}},
       {{"end"}, {fmt::format("{}: {}", to_string(record.end.phase), state_of(record.end.X, units))}},
-      {{"shares"}, {shares(record)}},
+      {{"shares"}, {shares_in_words(record)}},
       {{"energy"},
        {fmt::format("{:.6g}{} at the end", record.end.energy, units.unit(" J")) +
         (record.energy ? fmt::format("; between {:.6g} and {:.6g}{}", record.energy->least,

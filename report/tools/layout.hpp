@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,20 @@ using Row = std::vector<Cell>;
 
 // "1 orbit", "2 orbits", "2 branches": by default the plural has an s.
 [[nodiscard]] std::string counted(long count, const std::string& one, const std::string& many = "");
+
+// What the function makes of each member, one behind the other with the separator between them.
+template <class Range, class Function = std::identity>
+[[nodiscard]] std::string enumerated(const Range& range, const Function& function = {},
+                                     const char * separator = ", ") {
+  std::string text;
+  bool first = true;
+  for (const auto& member : range) {
+    text += first ? "" : separator;
+    text += std::invoke(function, member);
+    first = false;
+  }
+  return text;
+}
 
 // A word of the program without its underscores: "as printed" for to_string(Status::as_printed).
 [[nodiscard]] std::string spaced(std::string word);

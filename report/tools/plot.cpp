@@ -7,11 +7,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -59,57 +61,11 @@ std::string first_line(const std::string& text) {
   return start == std::string::npos ? "it says nothing" : text.substr(start, text.find('\n', start) - start);
 }
 
-class FileActions {
- public:
-  FileActions() { posix_spawn_file_actions_init(&actions_); }
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-
-  void redirect(std::FILE * file, int descriptor) {
-    posix_spawn_file_actions_adddup2(&actions_, ::fileno(file), descriptor);
-  }
-  void change_directory(const fs::path& directory) {
-    posix_spawn_file_actions_addchdir_np(&actions_, directory.c_str());
-  }
-  [[nodiscard]] const posix_spawn_file_actions_t * get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-};
-
-// The program starts with the signals that this one ignores as the system has them: a full disk ends it.
-class Attributes {
- public:
-  Attributes() {
-    sigset_t signals;
-    sigemptyset(&signals);
-    posix_spawnattr_init(&attributes_);
-    sigaddset(&signals, SIGPIPE);
-    sigaddset(&signals, SIGXFSZ);
-    posix_spawnattr_setsigdefault(&attributes_, &signals);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
-  }
-  ~Attributes() { posix_spawnattr_destroy(&attributes_); }
-  Attributes(const Attributes&) = delete;
-  Attributes& operator=(const Attributes&) = delete;
-
-  [[nodiscard]] const posix_spawnattr_t * get() const { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_{};
-};
-
-// Its status as waitpid gives it, or the error that kept it from starting.
-struct End {
-  int error = 0;
-  int status = 0;
-  [[nodiscard]] bool missing() const {
-    return error != 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 127);
-  }
-};
-
-End run_to_end(const Tool& tool, const std::vector<std::string>& arguments, const FileActions& actions) {
+// Runs the program to its end with these as standard input, output and error: its status as waitpid gives it,
+// or nothing if it could not be started. It starts with the signals that this one ignores as the system has
+// them: a full disk ends it.
+std::optional<int> run_to_end(const Tool& tool, const std::vector<std::string>& arguments,
+                              const std::array<std::FILE *, 3>& streams, const fs::path& directory) {
   std::vector<std::string> words{tool.program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char *> argv;
@@ -117,14 +73,32 @@ End run_to_end(const Tool& tool, const std::vector<std::string>& arguments, cons
     argv.push_back(word.data());
   }
   argv.push_back(nullptr);
-  const Attributes attributes;
-  pid_t process = 0;
-  End end;
-  end.error =
-      ::posix_spawnp(&process, tool.program.c_str(), actions.get(), attributes.get(), argv.data(), environ);
-  while (end.error == 0 && ::waitpid(process, &end.status, 0) < 0 && errno == EINTR) {
+  posix_spawn_file_actions_t actions{};
+  posix_spawn_file_actions_init(&actions);
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    posix_spawn_file_actions_adddup2(&actions, ::fileno(streams.at(static_cast<std::size_t>(descriptor))),
+                                     descriptor);
   }
-  return end;
+  if (!directory.empty()) {
+    posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
+  }
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGPIPE);
+  sigaddset(&signals, SIGXFSZ);
+  posix_spawnattr_t attributes{};
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setsigdefault(&attributes, &signals);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+  pid_t process = 0;
+  const int error =
+      ::posix_spawnp(&process, tool.program.c_str(), &actions, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  while (error == 0 && ::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return error == 0 ? std::optional(status) : std::nullopt;
 }
 
 [[noreturn]] void miss(const Tool& tool) {
@@ -166,19 +140,13 @@ Ran attempt(const Tool& tool, const std::vector<std::string>& arguments, const s
         fmt::format("cannot {}: {}", tool.purpose, std::generic_category().message(errno)));
   }
   std::rewind(in.get());
-  FileActions actions;
-  actions.redirect(in.get(), STDIN_FILENO);
-  actions.redirect(out.get(), STDOUT_FILENO);
-  actions.redirect(complaints.get(), STDERR_FILENO);
-  if (!directory.empty()) {
-    actions.change_directory(directory);
-  }
-  const End end = run_to_end(tool, arguments, actions);
-  if (end.missing()) {
+  const std::optional<int> status =
+      run_to_end(tool, arguments, {in.get(), out.get(), complaints.get()}, directory);
+  constexpr int not_found = 127;
+  if (!status || (WIFEXITED(*status) && WEXITSTATUS(*status) == not_found)) {
     miss(tool);
   }
-  return {WIFEXITED(end.status) && WEXITSTATUS(end.status) == 0, content(out.get()),
-          content(complaints.get())};
+  return {WIFEXITED(*status) && WEXITSTATUS(*status) == 0, content(out.get()), content(complaints.get())};
 }
 
 std::string run(const Tool& tool, const std::vector<std::string>& arguments, const std::string& input,
@@ -210,8 +178,6 @@ std::string Workshop::content(const std::string& file) const {
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 const Tool& plotter() {
   static const Tool tool{"gnuplot", "gnuplot-nox", "draw a plot"};

@@ -92,6 +92,12 @@ struct SampleOf {
   [[nodiscard]] static T made() { return {}; }
 };
 
+// What the function writes of it, or of what it points to; what it writes, by a sample.
+template <class T, class Write>
+[[nodiscard]] Json written(const T& it, const Write& write);
+template <class T, class Write>
+[[nodiscard]] Json schema_by(const T& sample, const Write& write);
+
 // An object that is being written, and its schema, if that is wanted: then the values are only samples, every
 // function that writes a part is called once at least, and what it is called with need not be anything.
 class Object {
@@ -120,8 +126,10 @@ class Object {
   // An object under the key, which `write` writes; a list of objects; null or an object.
   template <class Write>
   void object(const std::string& key, const Write& write, const Json& more = {}) {
-    Json json = Json::object();
-    add(key, part(json, write), more, true);
+    Json json = Json::object(), schema;
+    Object object(json, schema_ != nullptr ? &schema : nullptr);
+    write(object);
+    add(key, std::move(schema), more, true);
     json_[key] = std::move(json);
   }
   template <class Range, class Write>
@@ -191,46 +199,29 @@ class Object {
                  const std::vector<std::string>& sometimes);
   [[nodiscard]] Json without_definitions(Json schema);
 
-  // The schema of what is written, if there is one to make.
-  template <class Write>
-  [[nodiscard]] Json part(Json& json, const Write& write) const {
-    Json schema;
-    Object object(json, schema_ != nullptr ? &schema : nullptr);
-    write(object);
-    return schema;
-  }
+  // The schema of what is written of a T.
   template <class T, class Write>
-  [[nodiscard]] Json sample(const Write& write) const {
-    const auto made = SampleOf<std::remove_const_t<std::remove_pointer_t<T>>>::made();
-    Json json = Json::object();
-    return part(json, [&](Object& object) { write(object, made); });
-  }
-  template <class T, class Write>
-  [[nodiscard]] static Json written(const T& it, const Write& write) {
-    Json json = Json::object();
-    Object object(json);
-    if constexpr (std::is_pointer_v<T>) {
-      write(object, *it);
-    } else {
-      write(object, it);
-    }
-    return json;
+  [[nodiscard]] static Json sample(const Write& write) {
+    return schema_by(SampleOf<std::remove_const_t<std::remove_pointer_t<T>>>::made(), write);
   }
 
   Json& json_;
   Json * schema_;
 };
 
-// What the function writes of it; what it writes, by a sample.
 template <class T, class Write>
-[[nodiscard]] Json written(const T& it, const Write& write) {
+Json written(const T& it, const Write& write) {
   Json json = Json::object();
   Object object(json);
-  write(object, it);
+  if constexpr (std::is_pointer_v<T>) {
+    write(object, *it);
+  } else {
+    write(object, it);
+  }
   return json;
 }
 template <class T, class Write>
-[[nodiscard]] Json schema_by(const T& sample, const Write& write) {
+Json schema_by(const T& sample, const Write& write) {
   Json json = Json::object(), schema;
   Object object(json, &schema);
   write(object, sample);

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/machine_tables.hpp"
+#include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "report/tools/files.hpp"
 #include "tests/cli/machines.hpp"

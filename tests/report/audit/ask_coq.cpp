@@ -1,13 +1,12 @@
 // Manipulated certificates, put to `certify --record`: none may be called accepted. What is changed
 // afterwards, an audit finds (certificates.cpp).
-#include "report/audit/ask_coq.hpp"
+#include "report/audit/certificate_record.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "proofs/certificates/certificates.hpp"
-#include "report/audit/certificate_record.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/report/audit/three_claims.hpp"
 #include "tests/report/temporary.hpp"
