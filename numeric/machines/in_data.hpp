@@ -72,6 +72,24 @@ struct Monomial {
   return all.at(place);
 }
 
+// Of the products of a monomial with the others in order.
+inline constexpr std::size_t too_high = monomials(most_data);  // of too high a degree
+[[nodiscard]] inline const std::vector<std::size_t>& places_of_products(std::size_t place) {
+  static const std::vector<std::vector<std::size_t>> all = [] {
+    constexpr std::size_t count = monomials(most_data);
+    std::vector<std::vector<std::size_t>> found(count, std::vector<std::size_t>(count, too_high));
+    for (std::size_t a = 0; a < count; ++a) {
+      for (std::size_t b = 0; b < count; ++b) {
+        if (monomial(a).degree() + monomial(b).degree() <= highest_degree) {
+          found[a][b] = (monomial(a) * monomial(b)).place();
+        }
+      }
+    }
+    return found;
+  }();
+  return all.at(place);
+}
+
 [[nodiscard]] inline bool is_none(const Ball& x) {
   return is_zero(x);
 }
@@ -200,22 +218,21 @@ template <class M>
   return mapped(f, [&](const M& x) { return M(x * factor); });
 }
 
-// times(f, g), bilinear; what is of a higher degree is part of the rest.
-template <class A, class B, class Times>
-[[nodiscard]] auto product(const InData<A>& f, const InData<B>& g, const Times& times) {
-  using M = std::decay_t<decltype(times(f.rest, g.rest))>;
-  InData<M> result;
-  result.c.resize(std::max(f.c.size(), g.c.size()));
+// Adds the product of f and g, with add_times(sum, x, y) for those of their coefficients, bilinear and of
+// none nothing; what is of a higher degree is part of the rest.
+template <class M, class A, class B, class AddTimes>
+void add_product(InData<M>& result, const InData<A>& f, const InData<B>& g, const AddTimes& add_times) {
+  result.c.resize(std::max({result.c.size(), f.c.size(), g.c.size()}));
   const auto into = [&](M& sum, const A& x, const B& y) {
     if (!is_none(x) && !is_none(y)) {
-      add(sum, M(times(x, y)));
+      add_times(sum, x, y);
     }
   };
   for (std::size_t a = 0; a < f.c.size(); ++a) {
+    const std::vector<std::size_t>& places = places_of_products(a);
     for (std::size_t b = 0; b < g.c.size() && !is_none(f.c[a]); ++b) {
-      const Monomial &of_f = monomial(a), &of_g = monomial(b);
-      if (of_f.degree() + of_g.degree() <= highest_degree && !is_none(g.c[b])) {
-        into(result.c[(of_f * of_g).place()], f.c[a], g.c[b]);
+      if (places[b] != too_high) {
+        into(result.c.at(places[b]), f.c[a], g.c[b]);
       }
     }
   }
@@ -234,10 +251,22 @@ template <class A, class B, class Times>
   if (!is_none(g.rest)) {
     into(result.rest, f.polynomial(), g.rest);
   }
+}
+// times(f, g), bilinear.
+template <class A, class B, class Times>
+[[nodiscard]] auto product(const InData<A>& f, const InData<B>& g, const Times& times) {
+  using M = std::decay_t<decltype(times(f.rest, g.rest))>;
+  InData<M> result;
+  add_product(result, f, g, [&](M& sum, const A& x, const B& y) { add(sum, M(times(x, y))); });
   return result;
 }
+inline void add_product(InData<Ball>& sum, const InData<Ball>& f, const InData<Ball>& g) {
+  add_product(sum, f, g, [](Ball& one, const Ball& x, const Ball& y) { add_product(one, x, y); });
+}
 [[nodiscard]] inline InData<Ball> operator*(const InData<Ball>& f, const InData<Ball>& g) {
-  return product(f, g, [](const Ball& x, const Ball& y) { return Ball(x * y); });
+  InData<Ball> result;
+  add_product(result, f, g);
+  return result;
 }
 // Of matrices.
 template <class M>

@@ -42,7 +42,7 @@ M product(const model::MatrixX<InData<Ball>>& A, const M& B) {
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
     for (Eigen::Index k = 0; k < A.cols(); ++k) {
       for (Eigen::Index l = 0; l < B.cols() && !is_none(A(i, k)); ++l) {
-        C(i, l) += A(i, k) * B(k, l);
+        add_product(C(i, l), A(i, k), B(k, l));
       }
     }
   }
@@ -89,7 +89,7 @@ Ball folded(const std::vector<Ball>& a, const std::vector<Ball>& b) {
 InData<Ball> folded(const std::vector<InData<Ball>>& a, const std::vector<InData<Ball>>& b) {
   InData<Ball> sum(Ball(0));
   for (std::size_t k = 0; k < a.size(); ++k) {
-    sum += a[k] * b[b.size() - 1 - k];
+    add_product(sum, a[k], b[b.size() - 1 - k]);
   }
   return sum;
 }
