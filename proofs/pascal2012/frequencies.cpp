@@ -111,7 +111,7 @@ Theorem frequencies_exist() {
       {{x.square, power(omega2, 2)}, {y.square, first}, {r.square, Term(Rational(-1, 4))}});
   const Theorem data = cut_all({x_positive, x_below, y_above}, of_model(chi, eta, of_sum, of_product));
   const Theorem known = both({x_positive, x_below, y_above, part(data, 0), part(data, 1)});
-  Theorem result = there_are({omega1, omega2}, known.conclusion(), {}, known);
+  Theorem result = there_are({omega1, omega2}, known);
   for (const Root& number : {y, x, r}) {
     result = Theorem::choose(number.existence, number.name, result);
   }
@@ -201,7 +201,7 @@ Theorem at_frequencies(const Rational& at_chi, const Rational& at_eta,
   const Theorem here = cut_all(parts, data), of_chi = part(here, 0), of_eta = part(here, 1);
   parts.insert(parts.end(), {of_chi, of_eta, cut_all({of_chi, of_eta}, more(ranges))});
   const Theorem known = both(parts);
-  return orbits::with_zero(there_are(unknowns, known.conclusion(), {}, known), unknowns, equations, box);
+  return orbits::with_zero(there_are(unknowns, known), unknowns, equations, box);
 }
 
 Proofs frequencies() {

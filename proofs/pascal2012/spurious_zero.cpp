@@ -257,26 +257,24 @@ class Halved {
       none = Theorem::generalize(none, {z->name()});
     }
     const Theorem lasts = sign(less(0, rest(h, h)));
-    Theorem result = both({sign(less(0, h)), sign(less(0, h)), lasts, known(letters.compatible(3)),
-                           known(letters.compatible(4)), singular, none});
+    const Theorem of_h = both({sign(less(0, h)), sign(less(0, h)), lasts, known(letters.compatible(3)),
+                               known(letters.compatible(4)), singular, none});
     // The same of tau and tau1, which are h.
-    const auto says = [&](const Term& slip, const Term& overshoot) {
-      const Term stick = rest(slip, overshoot);
-      const Coefficients k = coefficients(slip, overshoot, stick);
-      const auto F = model::compatibility<Symbolic>(k);
-      std::vector<Formula> lines;
-      for (std::size_t i = 0; i < 5; ++i) {
-        lines.push_back(line(k, i, letters.z));
-      }
-      Formula unsolved = negation(all(lines));
-      for (auto z = letters.z.rbegin(); z != letters.z.rend(); ++z) {
-        unsolved = for_all({z->name()}, unsolved);
-      }
-      return all({less(0, slip), less(0, overshoot), less(0, stick), equal(F[0].term, 0), equal(F[1].term, 0),
-                  equal(model::cramer<Symbolic>(k).Delta.term, 0), unsolved});
-    };
-    result = Theorem::witness(result, exists(tau1, says(h, tau1)), h);
-    return Theorem::witness(result, exists(tau, exists(tau1, says(tau, tau1))), h);
+    const Term stick = rest(tau, tau1);
+    const Coefficients k = coefficients(tau, tau1, stick);
+    const auto F = model::compatibility<Symbolic>(k);
+    std::vector<Formula> lines;
+    for (std::size_t i = 0; i < 5; ++i) {
+      lines.push_back(line(k, i, letters.z));
+    }
+    Formula unsolved = negation(all(lines));
+    for (auto z = letters.z.rbegin(); z != letters.z.rend(); ++z) {
+      unsolved = for_all({z->name()}, unsolved);
+    }
+    return there_are({tau, tau1},
+                     all({less(0, tau), less(0, tau1), less(0, stick), equal(F[0].term, 0),
+                          equal(F[1].term, 0), equal(model::cramer<Symbolic>(k).Delta.term, 0), unsolved}),
+                     {{tau, h}, {tau1, h}}, of_h);
   }
 
   orbits::Ranges ranges_;

@@ -72,6 +72,10 @@ Theorem there_are(const std::vector<Variable>& names, Formula formula, const ker
   return theorem;
 }
 
+Theorem there_are(const std::vector<Variable>& names, Theorem theorem) {
+  return there_are(names, theorem.conclusion(), {}, theorem);
+}
+
 Theorem detach(const Theorem& implication, const Theorem& premise) {
   return Theorem::consequence({implication, premise}, implication.conclusion().parts().at(1));
 }

@@ -82,6 +82,8 @@ template <class All, class Work>
 // for itself.
 [[nodiscard]] Theorem there_are(const std::vector<Variable>& names, Formula formula,
                                 const kernel::Substitution& values, Theorem theorem);
+// ⊢ there are these, the first outermost: what the theorem says of them.
+[[nodiscard]] Theorem there_are(const std::vector<Variable>& names, Theorem theorem);
 // A ⇒ C and A give C.
 [[nodiscard]] Theorem detach(const Theorem& implication, const Theorem& premise);
 // for all t: A(t) ⇒ C(t), and A(x), give C(x).
