@@ -197,9 +197,8 @@ Differentiable differentiable(const Definition& value) {
   const Variable& t = parameters.back();
   const Term f = lambda(t, value({parameters.begin(), parameters.end()}));
   const Theorem found = Theorem::differentiate(f, t);
-  const Definition slope(value.name() + "_slope", parameters, found.conclusion().parts()[2]);
-  return {value, slope,
-          Theorem::convert(found, derivative(f, t, slope({parameters.begin(), parameters.end()})), {slope})};
+  const Term slope = defined(value.name() + "_slope", found.conclusion().parts()[2], parameters);
+  return {value, slope.definition(), Theorem::convert(found, derivative(f, t, slope), {slope.definition()})};
 }
 
 Theorem within_bounds(const EnclosedZero& zero, Theorem theorem) {

@@ -120,12 +120,10 @@ struct Derivatives {
   }
   // The slope as a definition NAME_by_t of all that the number depends on.
   [[nodiscard]] Theorem said(const Term& number, const Theorem& known) const {
-    const std::vector<Variable> parameters(number.variables().begin(), number.variables().end());
-    const Definition slope(number.definition().name() + "_by_" + t.name, parameters,
-                           known.conclusion().parts()[2]);
-    return Theorem::convert(known,
-                            derivative(lambda(t, number), t, slope({parameters.begin(), parameters.end()})),
-                            {number.definition(), slope});
+    const Term slope = defined(number.definition().name() + "_by_" + t.name, known.conclusion().parts()[2],
+                               {number.variables().begin(), number.variables().end()});
+    return Theorem::convert(known, derivative(lambda(t, number), t, slope),
+                            {number.definition(), slope.definition()});
   }
 };
 

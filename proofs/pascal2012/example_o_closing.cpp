@@ -26,10 +26,9 @@ const methods::Example& printed() {
   return example_named("O");
 }
 
-// The number as a definition O_NAME of all that it depends on, applied.
+// As a definition O_NAME.
 Term named(const std::string& name, const Term& number) {
-  const std::vector<Variable> parameters(number.variables().begin(), number.variables().end());
-  return kernel::Definition("O_" + name, parameters, number)({parameters.begin(), parameters.end()});
+  return tactics::defined("O_" + name, number);
 }
 
 Coefficients in_entries(model::Reading reading) {

@@ -1,5 +1,6 @@
 #include "proofs/tactics/tactics.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "proofs/tactics/almost_always.hpp"
@@ -19,6 +20,13 @@ Term unit(int rows, int columns, std::size_t place) {
   std::vector<Term> entries(static_cast<std::size_t>(rows * columns), 0);
   entries.at(place) = 1;
   return matrix(rows, columns, entries);
+}
+
+Term defined(const std::string& name, const Term& body, const std::vector<Variable>& first) {
+  std::vector<Variable> parameters = first;
+  std::ranges::copy_if(body.variables(), std::back_inserter(parameters),
+                       [&](const Variable& one) { return std::ranges::find(first, one) == first.end(); });
+  return Definition(name, parameters, body)({parameters.begin(), parameters.end()});
 }
 
 Definitions definitions_in(std::vector<Term> terms) {

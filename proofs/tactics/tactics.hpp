@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "proofs/kernel/theorem.hpp"
@@ -47,6 +48,9 @@ void each_part(const std::vector<Term>& terms, const Visit& visit) {
 }
 // A matrix of zeros with a one, at that place row by row.
 [[nodiscard]] Term unit(int rows, int columns, std::size_t place);
+// A definition of all that the body depends on, of these first, applied to just that.
+[[nodiscard]] Term defined(const std::string& name, const Term& body,
+                           const std::vector<Variable>& first = {});
 // All definitions applied in the terms, and in the bodies of these.
 [[nodiscard]] Definitions definitions_in(std::vector<Term> terms);
 
