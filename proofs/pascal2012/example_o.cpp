@@ -108,7 +108,7 @@ Claim printed_state_closes() {
                 "last place, close the motion",
                 [](Prover&, const Claim&) {
                   Outcome outcome = at_the_data(printed(), "(18)-(20) in balls over the printed intervals");
-                  const PrintedClosing<5> closing =
+                  const PrintedClosing closing =
                       printed_closing_overshooting(printed().data, *printed().phi,
                                                    {decimal("tau"), decimal("tau1"), signed_decimal("z10"),
                                                     signed_decimal("z20"), decimal("zdot10")});
