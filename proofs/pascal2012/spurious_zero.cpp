@@ -66,24 +66,15 @@ struct InLetters {
   model::CramerDeterminants<Symbolic> delta;
 
   InLetters() {
-    for (const auto& [letter, column] : columns(k)) {
-      for (std::size_t i = 0; i < 5; ++i) {
-        column->at(i) = Variable{fmt::format("{}{}", letter, i + 1)};
-      }
-    }
+    model::each_coefficient(k, [](char letter, int i, Symbolic& one) { one = named(letter, i); });
     delta = model::cramer<Symbolic>(k);
   }
-  [[nodiscard]] static std::array<std::pair<char, Column *>, 4> columns(Coefficients& of) {
-    return {{{'a', &of.a}, {'b', &of.b}, {'c', &of.c}, {'d', &of.d}}};
-  }
+  [[nodiscard]] static Variable named(char letter, int i) { return {fmt::format("{}{}", letter, i)}; }
   // With a state for n, and these coefficients.
-  [[nodiscard]] static Theorem at(const Theorem& theorem, Coefficients of, const Three& state) {
+  [[nodiscard]] static Theorem at(const Theorem& theorem, const Coefficients& of, const Three& state) {
     Substitution values{{{"n1"}, state[0]}, {{"n2"}, state[1]}, {{"n3"}, state[2]}};
-    for (const auto& [letter, column] : columns(of)) {
-      for (std::size_t i = 0; i < 5; ++i) {
-        values.emplace(Variable{fmt::format("{}{}", letter, i + 1)}, column->at(i).term);
-      }
-    }
+    model::each_coefficient(
+        of, [&](char letter, int i, const Symbolic& one) { values.emplace(named(letter, i), one.term); });
     return Theorem::instantiate(theorem, values);
   }
 
@@ -142,14 +133,11 @@ Substitution with_data(Substitution times) {
 // The coefficients of (21), by their names.
 Coefficients coefficients(const Substitution& values) {
   methods::Reader read;
-  const auto column = [&](char letter) {
-    Column result;
-    for (int i = 1; i <= 5; ++i) {
-      result.at(static_cast<std::size_t>(i) - 1) = substitute(read(symbols::coefficient(letter, i)), values);
-    }
-    return result;
-  };
-  return {column('a'), column('b'), column('c'), column('d')};
+  Coefficients result;
+  model::each_coefficient(result, [&](char letter, int i, Symbolic& one) {
+    one = substitute(read(symbols::coefficient(letter, i)), values);
+  });
+  return result;
 }
 // At the data of Fig. 3.
 Coefficients coefficients(const Term& slip, const Term& overshoot, const Term& stick) {
