@@ -288,10 +288,7 @@ Theorem for_all_in(const Theorem& theorem, const std::vector<Variable>& variable
   for (auto x = variables.rbegin(); x != variables.rend(); ++x) {
     const auto& [lower, upper] = ranges.at(*x);
     const Formula here = within(lower, *x, upper);
-    for (std::size_t side : {0, 1}) {
-      result = Theorem::cut(part(Theorem::assume(here), side), result);
-    }
-    result = for_every(*x, here, result);
+    result = for_every(*x, here, cut_all(parts_of(Theorem::assume(here)), result));
   }
   return result;
 }

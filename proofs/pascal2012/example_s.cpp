@@ -62,9 +62,7 @@ kernel::Theorem does_not_close(const kernel::Theorem& zeros, const kernel::Theor
     });
     ranges.emplace(tau, kernel::Interval{decimal.lower(), decimal.upper()});
     const Formula both = kernel::all(solved);
-    for (std::size_t i = 0; i < solved.size(); ++i) {
-      result = Theorem::cut(tactics::part(Theorem::assume(both), i), result);
-    }
+    result = tactics::cut_all(tactics::parts_of(Theorem::assume(both)), result);
     const Theorem apart = orbits::in_pieces(tau, ranges, [&](const orbits::Ranges& here) {
       return orbits::sign_by_parts(differ(result.conclusion().parts()[0], 0), here);
     });

@@ -131,13 +131,8 @@ Outcome said_of_data(Prover& prover, const Claim&) {
     const Theorem exist = prover.theorem("39.frequencies");
     for (const std::string& id : ids) {
       const Theorem closed = closed_but_frequencies(prover.theorem(id));
-      outcome.theorems.push_back(orbits::orbit_with(exist, [&](const Theorem& there) {
-        Theorem theorem = closed;
-        for (std::size_t i = 0; i < there.conclusion().parts().size(); ++i) {
-          theorem = Theorem::cut(part(there, i), theorem);
-        }
-        return theorem;
-      }));
+      outcome.theorems.push_back(
+          orbits::orbit_with(exist, [&](const Theorem& there) { return cut_all(parts_of(there), closed); }));
     }
     return outcome;
   } catch (const KernelError& error) {
@@ -156,10 +151,7 @@ Theorem closed_but_frequencies(Theorem theorem) {
     }
   }
   const Formula together = all(supposed);
-  for (std::size_t i = 0; i < supposed.size(); ++i) {
-    theorem = Theorem::cut(part(Theorem::assume(together), i), theorem);
-  }
-  theorem = Theorem::discharge(theorem, together);
+  theorem = Theorem::discharge(cut_all(parts_of(Theorem::assume(together)), theorem), together);
   const Variables variables = theorem.conclusion().variables();
   for (const Variable& one : variables) {
     if (!is_frequency(one)) {

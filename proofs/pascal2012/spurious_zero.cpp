@@ -108,10 +108,8 @@ struct InLetters {
         because.push_back({Theorem::assume(lines.back()), cross(k.a, k.c, i).term});
       }
     }
-    Theorem vanishes = Theorem::combination(equal(delta.Delta2.term, 0), because);
-    for (std::size_t i = 0; i < 3; ++i) {
-      vanishes = Theorem::cut(part(Theorem::assume(all(lines)), i), vanishes);
-    }
+    const Theorem vanishes = cut_all(parts_of(Theorem::assume(all(lines))),
+                                     Theorem::combination(equal(delta.Delta2.term, 0), because));
     const Formula none = negation(all(lines));
     return Theorem::consequence({Theorem::discharge(vanishes, all(lines))},
                                 any({vanishes.conclusion(), none}));

@@ -62,6 +62,14 @@ Theorem part(const Theorem& conjunction, std::size_t index) {
   return Theorem::consequence({conjunction}, conjunction.conclusion().parts().at(index));
 }
 
+std::vector<Theorem> parts_of(const Theorem& conjunction) {
+  std::vector<Theorem> parts;
+  for (const Formula& one : conjunction.conclusion().parts()) {
+    parts.push_back(Theorem::consequence({conjunction}, one));
+  }
+  return parts;
+}
+
 Theorem cut_all(const std::vector<Theorem>& lemmas, Theorem theorem) {
   for (const Theorem& lemma : lemmas) {
     theorem = Theorem::cut(lemma, theorem);

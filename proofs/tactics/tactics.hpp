@@ -80,6 +80,7 @@ template <class All, class Work>
 [[nodiscard]] Theorem symmetric(const Theorem& equation);       // a = b gives b = a
 [[nodiscard]] Theorem both(const std::vector<Theorem>& parts);  // their conjunction
 [[nodiscard]] Theorem part(const Theorem& conjunction, std::size_t index);
+[[nodiscard]] std::vector<Theorem> parts_of(const Theorem& conjunction);
 // A, B, … ⊢ C and ⊢ A, ⊢ B, … give ⊢ C, one after the other.
 [[nodiscard]] Theorem cut_all(const std::vector<Theorem>& lemmas, Theorem theorem);
 // The formula with the values of these names ⊢ there are names: the formula. A name without a value stands
