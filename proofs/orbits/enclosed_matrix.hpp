@@ -24,8 +24,9 @@ inline const Rational wide(1, 1000000);
 // ranges ⊢ l <= term, term <= u, with l and u near: multiples of 2^-places. Throws KernelError where a
 // divisor may be zero.
 [[nodiscard]] Known bounded(const kernel::Term& term, const Ranges& ranges, int places = 28);
-// What the theorem, a conjunction, bounds by numbers, l < term and term < u: each by the first that it says.
-[[nodiscard]] std::map<kernel::Term, Known> bounds_said(const kernel::Theorem& theorem);
+// What theorems bound by numbers, first l < term and later term < u, and entries that are numbers, entry = v:
+// each by the first that says so.
+[[nodiscard]] std::map<kernel::Term, Known> bounds_said(const std::vector<kernel::Theorem>& theorems);
 
 // The theorem with the letters' values in their place, and without the hypotheses on their ranges.
 [[nodiscard]] kernel::Theorem settled(const kernel::Theorem& theorem, const Letters& letters);

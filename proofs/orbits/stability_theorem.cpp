@@ -78,7 +78,7 @@ Theorem judged(const Variable& M, const std::vector<Interval>& bounds) {
 class Multipliers {
  public:
   Multipliers(const Question& question, const Theorem& body)
-      : q_(question), body_(body), said_(bounds_said(body)), names_(question), phases_(question) {
+      : q_(question), body_(body), said_(bounds_said(parts_of(body))), names_(question), phases_(question) {
     for (std::size_t k = 0; k < count(); ++k) {
       require_phase(k);
     }
@@ -324,23 +324,12 @@ class Multipliers {
     const Definitions definitions{friction(), friction_rate()};
     Term lettered = unfold(said, definitions);
     Multipliers more = *this;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < matrix_rows; ++i) {
       const Variable x{fmt::format("x{}", i + 1)};
       if (const Term whole = replaced(lettered, entry(X, i), x); whole != lettered) {
         lettered = whole;
         more.add_known(x, entry(X, i));
       }
-    }
-    // x2' = V.
-    const Variable V{"v2"};
-    if (const Term whole = replaced(lettered, entry(X, 3), V); whole != lettered) {
-      lettered = whole;
-      const Theorem meets = Theorem::consequence({body_}, equal(entry(X, 3), q_.data.V));
-      const Interval range{q_.data.V, q_.data.V};
-      more.ranges_.emplace(V, range);
-      more.known_.emplace(
-          V, Known{entry(X, 3), range, Theorem::order(at_most(q_.data.V, entry(X, 3)), {}, {{meets}}),
-                   Theorem::order(at_most(entry(X, 3), q_.data.V), {}, {{meets, -1}})});
     }
     const Known one = bounded(lettered, more.ranges_);
     const auto as_said = [&](const Theorem& theorem, const Formula& formula) {
