@@ -54,7 +54,7 @@ class Orbit {
       if (one.variables().empty()) {
         return certainly(one);
       }
-      if (one.kind() == Kind::at_most && !is_range(one)) {
+      if (one.kind() == Kind::at_most && !is_range(one, known_->parameters)) {
         return orbits::sign(one, known_->parameters);
       }
       if (one.kind() == Kind::equal && one != substitute(known_->between, known_->numbers)) {
@@ -85,12 +85,6 @@ class Orbit {
         }
       }
       return std::nullopt;
-    });
-  }
-  [[nodiscard]] bool is_range(const Formula& formula) const {
-    return std::ranges::any_of(known_->parameters, [&](const auto& one) {
-      return formula == at_most(one.second.first, one.first) ||
-             formula == at_most(one.first, one.second.second);
     });
   }
 

@@ -205,8 +205,9 @@ class MotionOf {
   // The theorem without hypotheses: they hold.
   [[nodiscard]] Theorem discharged(const Theorem& theorem) const {
     return tactics::settled_by(theorem, [&](const Formula& one) {
-      return said_.hypotheses().contains(one) || is_of_data(one) || is_range(one) ? std::nullopt
-                                                                                  : std::optional(holds(one));
+      return said_.hypotheses().contains(one) || is_of_data(one) || orbits::is_range(one, frequencies_)
+                 ? std::nullopt
+                 : std::optional(holds(one));
     });
   }
 
@@ -219,12 +220,6 @@ class MotionOf {
     Reader read;
     return {{read(symbols::vocabulary::chi), example_.data.chi, {"of chi"}},
             {read(symbols::vocabulary::eta), example_.data.eta, {"of eta"}}};
-  }
-  [[nodiscard]] bool is_range(const Formula& formula) const {
-    return std::ranges::any_of(frequencies_, [&](const auto& one) {
-      return formula == at_most(one.second.first, one.first) ||
-             formula == at_most(one.first, one.second.second);
-    });
   }
   [[nodiscard]] bool is_of_data(const Formula& formula) const {
     return std::ranges::any_of(data(),
