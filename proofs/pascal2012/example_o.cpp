@@ -5,7 +5,7 @@
 #include <map>
 
 #include "model/waves.hpp"
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_o_closing.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"

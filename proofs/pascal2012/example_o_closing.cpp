@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "proofs/methods/reading.hpp"
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 

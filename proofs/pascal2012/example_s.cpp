@@ -4,7 +4,7 @@
 #include "model/symmetric.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/printed_example.hpp"

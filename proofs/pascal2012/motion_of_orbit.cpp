@@ -9,7 +9,6 @@
 #include "proofs/methods/gate.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/all_zeros.hpp"
-#include "proofs/orbits/by_slopes.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"

@@ -6,7 +6,7 @@
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/orbits/all_zeros.hpp"
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/symbols/vocabulary.hpp"
