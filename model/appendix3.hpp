@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "model/flows.hpp"
 
@@ -39,6 +40,15 @@ template <class S>
 struct ClosingCoefficients {
   std::array<S, 5> a, b, c, d;
 };
+// Calls visit(letter, i, coefficient), i from 1, for each of the twenty.
+template <class Coefficients, class Visit>
+void each_coefficient(Coefficients& k, const Visit& visit) {
+  for (const auto& [letter, column] : {std::pair{'a', &k.a}, {'b', &k.b}, {'c', &k.c}, {'d', &k.d}}) {
+    for (int i = 1; i <= 5; ++i) {
+      visit(letter, i, column->at(static_cast<std::size_t>(i) - 1));
+    }
+  }
+}
 
 // c_1 is printed with the other sign of Gamma_13; nothing else differs.
 enum class Reading { derived, printed };

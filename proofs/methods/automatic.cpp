@@ -89,14 +89,10 @@ Theorem by_squares(Derivation& derivation, const Formula& formula) {
 // The first that works.
 Theorem first_of(const std::vector<Theorem (*)(Derivation&, const Formula&)>& ways, Derivation& derivation,
                  const Formula& formula) {
-  for (std::size_t k = 0; k + 1 < ways.size(); ++k) {
-    try {
-      return ways[k](derivation, formula);
-    } catch (const KernelError&) {
-      continue;
-    }
-  }
-  return ways.back()(derivation, formula);
+  const std::vector tried(ways.begin(), ways.end() - 1);
+  const auto found =
+      tactics::first_that_works(tried, [&](const auto way) { return way(derivation, formula); });
+  return found ? *found : ways.back()(derivation, formula);
 }
 
 // With the values that are given put in no variable is left: in balls, or by normal form.

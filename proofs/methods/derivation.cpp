@@ -247,20 +247,14 @@ Theorem Derivation::premise(const Premise& premise, std::size_t which) {
 }
 
 Theorem Derivation::settled(Theorem theorem) {
-  const Formulas hypotheses = theorem.hypotheses();
-  for (const Formula& one : hypotheses) {
-    const auto supplier = std::ranges::find_if(
-        supplied_, [&](const Theorem& supplied) { return supplied.conclusion() == one; });
+  return without_divisors(settled_by(theorem, [&](const Formula& one) -> std::optional<Theorem> {
+    const auto supplier = std::ranges::find(supplied_, one, &Theorem::conclusion);
     if (assumed_.contains(one) || domain_formulas().contains(one) ||
         (is_divisor(one) && supplier == supplied_.end())) {
-      continue;
+      return std::nullopt;
     }
-    if (const auto lemma =
-            attempt([&] { return supplier != supplied_.end() ? settled(*supplier) : follows(one); })) {
-      theorem = Theorem::cut(*lemma, theorem);
-    }
-  }
-  return without_divisors(theorem);
+    return attempt([&] { return supplier != supplied_.end() ? settled(*supplier) : follows(one); });
+  }));
 }
 
 Term Derivation::with_values(Term term) const {
@@ -385,12 +379,9 @@ kernel::Positive not_negative(Derivation& derivation, const Term& a) {
       square = square * power(base, whole.exponents[k] / 2);
     }
     if (whole.exponents[k] % 2 == 1) {
-      try {
-        inequalities.push_back(derivation.positive(base));
-      } catch (const KernelError&) {
-        inequalities.push_back(derivation.positive(-base));
-        factor = -factor;
-      }
+      const auto known = attempt([&] { return derivation.positive(base); });
+      inequalities.push_back(known ? *known : derivation.positive(-base));
+      factor = known ? factor : Rational(-factor);
     }
   }
   if (factor < 0) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "core/error.hpp"
@@ -39,24 +38,19 @@ std::optional<int> unit_of(const kernel::Term& term) {
 
 // The term with (unit row) M (unit column) for the entry of M that it is, where M is written out.
 kernel::Term with_entries(kernel::Term term) {
-  std::set<kernel::Term> seen;
   std::map<kernel::Term, kernel::Term> entries;
-  const auto visit = [&](const auto& self, const kernel::Term& part) -> void {
-    if (!part.is_closed() || !seen.insert(part).second) {
-      return;
+  tactics::each_part({term}, [&](const kernel::Term& part) {
+    if (part.is_closed() && part.kind() == kernel::Kind::product &&
+        part.parts()[0].kind() == kernel::Kind::product) {
+      const kernel::Term &row = part.parts()[0].parts()[0], &M = part.parts()[0].parts()[1],
+                         &column = part.parts()[1];
+      const std::optional<int> i = unit_of(row), j = unit_of(column);
+      if (i && j && M.kind() == kernel::Kind::matrix && row.type().rows == 1 && column.type().columns == 1) {
+        entries.emplace(part, M.parts()[static_cast<std::size_t>(*i * M.type().columns + *j)]);
+      }
     }
-    std::ranges::for_each(part.parts(), [&](const kernel::Term& inside) { self(self, inside); });
-    if (part.kind() != kernel::Kind::product || part.parts()[0].kind() != kernel::Kind::product) {
-      return;
-    }
-    const kernel::Term &row = part.parts()[0].parts()[0], &M = part.parts()[0].parts()[1],
-                       &column = part.parts()[1];
-    const std::optional<int> i = unit_of(row), j = unit_of(column);
-    if (i && j && M.kind() == kernel::Kind::matrix && row.type().rows == 1 && column.type().columns == 1) {
-      entries.emplace(part, M.parts()[static_cast<std::size_t>(*i * M.type().columns + *j)]);
-    }
-  };
-  visit(visit, term);
+    return part.is_closed();
+  });
   for (const auto& [product, entry] : entries) {
     term = replaced(term, product, entry);
   }

@@ -34,7 +34,7 @@ Variable moment(const Theorems& theorems, Terms also) {
 
 // A literal of what is to be shown, from those that hold.
 Theorem literal(Derivation& derivation, const Formula& goal, const Theorems& known) {
-  const auto same = std::ranges::find_if(known, [&](const Theorem& one) { return one.conclusion() == goal; });
+  const auto same = std::ranges::find(known, goal, &Theorem::conclusion);
   if (same != known.end()) {
     return *same;
   }
@@ -248,17 +248,16 @@ class Decrease {
   // In a case, whose last literal is derivative(E, t, r): r = 0 or r < 0.
   [[nodiscard]] Theorem sign_of(const Theorems& literals) const {
     const kernel::Term r = literals.back().conclusion().parts()[2];
-    try {
-      return derivation_.combination(equal(r, 0));
-    } catch (const KernelError&) {
-      std::vector<kernel::Positive> parts;
-      for (const Theorem& one : literals) {
-        if (one.conclusion().kind() == kernel::Kind::less) {
-          parts.push_back({{weight_, one}});
-        }
-      }
-      return derivation_.order(less(r, 0), parts);
+    if (const auto zero = attempt([&] { return derivation_.combination(equal(r, 0)); })) {
+      return *zero;
     }
+    std::vector<kernel::Positive> parts;
+    for (const Theorem& one : literals) {
+      if (one.conclusion().kind() == kernel::Kind::less) {
+        parts.push_back({{weight_, one}});
+      }
+    }
+    return derivation_.order(less(r, 0), parts);
   }
 
   // finite t: a < t < b and not does_not_grow(E, t).
@@ -380,7 +379,7 @@ Theorem supplied_with(Derivation& derivation, Theorem theorem, const Formulas& a
     }
   }
   return derivation.settled(settled_by(theorem, [&](const Formula& one) -> std::optional<Theorem> {
-    const auto said = std::ranges::find_if(supplied, [&](const Theorem& s) { return s.conclusion() == one; });
+    const auto said = std::ranges::find(supplied, one, &Theorem::conclusion);
     if (said != supplied.end()) {
       return *said;
     }

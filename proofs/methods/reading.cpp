@@ -80,17 +80,6 @@ Term integer_power(const Term& base, const Rational& exponent) {
   return product;
 }
 
-// The definition of a name, applied to what it depends on; of functions, to the time first.
-Term defined(const std::string& name, const std::vector<Variable>& first, const Term& body) {
-  std::vector<Variable> parameters = first;
-  for (const Variable& variable : body.variables()) {
-    if (std::ranges::find(parameters, variable) == parameters.end()) {
-      parameters.push_back(variable);
-    }
-  }
-  return Definition(name, parameters, body)({parameters.begin(), parameters.end()});
-}
-
 // What a name stands for is the same in every statement: it is made once.
 Term once(const std::string& name, const symbols::Shape& shape, bool of_time,
           const std::function<Term()>& make) {
@@ -116,9 +105,9 @@ Term Reader::scalar_made(const std::string& name) {
   if (name == "pi") {
     term = kernel::pi();
   } else if (row != nullptr && (row->value || row->means)) {
-    term = defined(name, {}, (*this)(row->value ? *row->value : *row->means));
+    term = defined(name, (*this)(row->value ? *row->value : *row->means));
   } else if (const std::optional<Symbolic> formula = symbols::derived<Symbolic>(name, lookup)) {
-    term = defined(name, {}, formula->term);
+    term = defined(name, formula->term);
   }
   return term;
 }
@@ -141,7 +130,7 @@ Term Reader::symbol(const symbols::Term& printed) {
   return once(printed.name(), shape, false, [&] {
     const Term body =
         row != nullptr && row->value ? (*this)(*row->value) : as_kernel_term(formula->second(lookup));
-    return body.variables().empty() ? body : defined(printed.name(), {}, body);
+    return body.variables().empty() ? body : defined(printed.name(), body);
   });
 }
 
@@ -167,7 +156,7 @@ Term Reader::function(const symbols::Term& printed) {
     return Symbolic(scalar(other));
   };
   const Term applied = once(name, printed.shape(), true, [&] {
-    return defined(name, {time}, as_kernel_term(formula->second(lookup, Symbolic(time))));
+    return defined(name, as_kernel_term(formula->second(lookup, Symbolic(time))), {time});
   });
   return substitute(applied, {{time, argument}});
 }

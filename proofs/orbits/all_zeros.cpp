@@ -98,10 +98,8 @@ class Zeros {
     const Theorem says =
         both({Theorem::consequence({there}, less(a, x)), Theorem::consequence({there}, less(x, b)),
               rises ? vanishes : Theorem::combination(equal(value(x), 0), {{vanishes, -1}})});
-    const Formula exists = kernel::exists(x, says.conclusion());
     zeros_.push_back(
-        {{x, {a, b}, says.conclusion(), Theorem::choose(found, x, Theorem::witness(says, exists, x))},
-         rises});
+        {{x, {a, b}, says.conclusion(), Theorem::choose(found, x, tactics::there_are({x}, says))}, rises});
   }
 
   // As far about the zero as the slope keeps its sign, of a quarter, an eighth, … to both sides.
@@ -199,9 +197,8 @@ Differentiable differentiable(const Definition& value) {
   const Variable& t = parameters.back();
   const Term f = lambda(t, value({parameters.begin(), parameters.end()}));
   const Theorem found = Theorem::differentiate(f, t);
-  const Definition slope(value.name() + "_slope", parameters, found.conclusion().parts()[2]);
-  return {value, slope,
-          Theorem::convert(found, derivative(f, t, slope({parameters.begin(), parameters.end()})), {slope})};
+  const Term slope = defined(value.name() + "_slope", found.conclusion().parts()[2], parameters);
+  return {value, slope.definition(), Theorem::convert(found, derivative(f, t, slope), {slope.definition()})};
 }
 
 Theorem within_bounds(const EnclosedZero& zero, Theorem theorem) {
@@ -213,7 +210,7 @@ Theorem within_bounds(const EnclosedZero& zero, Theorem theorem) {
 
 Theorem there_are(const std::vector<EnclosedZero>& zeros, Theorem theorem) {
   for (auto zero = zeros.rbegin(); zero != zeros.rend(); ++zero) {
-    theorem = Theorem::witness(theorem, exists(zero->x, theorem.conclusion()), zero->x);
+    theorem = tactics::there_are({zero->x}, theorem);
   }
   for (const EnclosedZero& zero : zeros) {
     theorem = Theorem::choose(zero.exists, zero.x, theorem);
@@ -283,16 +280,6 @@ Theorem with_zero(const Theorem& theorem, const std::vector<Variable>& unknowns,
                          }));
 }
 
-Theorem there_are(const NamedValues& values, const Formula& said, Theorem theorem) {
-  const Substitution all(values.begin(), values.end());
-  Formula whole = said;
-  for (auto one = values.rbegin(); one != values.rend(); ++one) {
-    whole = exists(one->first, whole);
-    theorem = Theorem::witness(theorem, substitute(whole, all), one->second);
-  }
-  return theorem;
-}
-
 Theorem of_orbit(const Theorem& orbit, const std::function<Theorem(const Theorem&)>& more) {
   std::vector<Formula> existences{orbit.conclusion()};
   std::vector<Variable> names;
@@ -301,11 +288,10 @@ Theorem of_orbit(const Theorem& orbit, const std::function<Theorem(const Theorem
     existences.push_back(opened(existences.back(), names.back()));
   }
   Theorem result = more(Theorem::assume(existences.back()));
-  for (auto one = names.rbegin(); one != names.rend(); ++one) {
-    if (result.conclusion().variables().contains(*one)) {
-      result = Theorem::witness(result, kernel::exists(*one, result.conclusion()), *one);
-    }
-  }
+  std::vector<Variable> spoken_of;
+  std::ranges::copy_if(names, std::back_inserter(spoken_of),
+                       [&](const Variable& one) { return result.conclusion().variables().contains(one); });
+  result = tactics::there_are(spoken_of, result);
   for (std::size_t i = names.size(); i-- > 0;) {
     result = Theorem::choose(i == 0 ? orbit : Theorem::assume(existences[i]), names[i], result);
   }

@@ -60,13 +60,6 @@ struct AllZeros {
                                         const std::vector<kernel::Term>& terms, const kernel::Box& box,
                                         const kernel::Substitution& at_value = {});
 
-// What exists, by its values.
-
-// From ⊢ what is said, of these values: ⊢ there are such, the first outermost: what is said.
-using NamedValues = std::vector<std::pair<kernel::Variable, kernel::Term>>;
-[[nodiscard]] kernel::Theorem there_are(const NamedValues& values, const kernel::Formula& said,
-                                        kernel::Theorem theorem);
-
 // What else is true of an orbit that a theorem says to exist.
 
 // From ⊢ there are …: B, and B ⊢ C by `more`: ⊢ there are those of them that C speaks of: C.

@@ -1,5 +1,7 @@
 #include "proofs/orbits/along.hpp"
 
+#include <algorithm>
+
 namespace stickslip::proofs::orbits {
 
 using namespace kernel;
@@ -18,12 +20,11 @@ Theorem given(const Theorem& lemma, const Theorem& theorem) {
 
 Theorem halved(const Variable& x, Ranges ranges, const std::function<Theorem(const Ranges&)>& decide,
                int depth) {
-  try {
+  if (depth == 0) {
     return decide(ranges);
-  } catch (const KernelError&) {
-    if (depth == 0) {
-      throw;
-    }
+  }
+  if (const auto decided = attempt([&] { return decide(ranges); })) {
+    return *decided;
   }
   const Interval whole = ranges.at(x);
   const Rational middle = (whole.first + whole.second) / 2;
@@ -154,6 +155,13 @@ Ranges ranges_in(const Term& term, const Ranges& ranges) {
     }
   }
   return result;
+}
+
+bool is_range(const Formula& formula, const Ranges& ranges) {
+  return std::ranges::any_of(ranges, [&](const auto& one) {
+    return formula == at_most(one.second.first, one.first) ||
+           formula == at_most(one.first, one.second.second);
+  });
 }
 
 Theorem sign(const Formula& relation, const Ranges& ranges, long bits) {

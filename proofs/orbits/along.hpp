@@ -15,6 +15,9 @@ using kernel::Ranges;  // intervals that hold numbers
 // Of the ranges those of what occurs.
 [[nodiscard]] Ranges ranges_in(const kernel::Term& term, const Ranges& ranges);
 
+// Whether it is l <= x or x <= u of one of these ranges.
+[[nodiscard]] bool is_range(const kernel::Formula& formula, const Ranges& ranges);
+
 // The sign rule from these ranges, of which there may be more than occur.
 [[nodiscard]] kernel::Theorem sign(const kernel::Formula& relation, const Ranges& ranges, long bits = 128);
 // Whether the sign rule proves it.

@@ -1,4 +1,4 @@
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 
 #include <fmt/format.h>
 
@@ -120,12 +120,10 @@ struct Derivatives {
   }
   // The slope as a definition NAME_by_t of all that the number depends on.
   [[nodiscard]] Theorem said(const Term& number, const Theorem& known) const {
-    const std::vector<Variable> parameters(number.variables().begin(), number.variables().end());
-    const Definition slope(number.definition().name() + "_by_" + t.name, parameters,
-                           known.conclusion().parts()[2]);
-    return Theorem::convert(known,
-                            derivative(lambda(t, number), t, slope({parameters.begin(), parameters.end()})),
-                            {number.definition(), slope});
+    const Term slope = defined(number.definition().name() + "_by_" + t.name, known.conclusion().parts()[2],
+                               {number.variables().begin(), number.variables().end()});
+    return Theorem::convert(known, derivative(lambda(t, number), t, slope),
+                            {number.definition(), slope.definition()});
   }
 };
 
@@ -290,10 +288,7 @@ Theorem for_all_in(const Theorem& theorem, const std::vector<Variable>& variable
   for (auto x = variables.rbegin(); x != variables.rend(); ++x) {
     const auto& [lower, upper] = ranges.at(*x);
     const Formula here = within(lower, *x, upper);
-    for (std::size_t side : {0, 1}) {
-      result = Theorem::cut(part(Theorem::assume(here), side), result);
-    }
-    result = for_every(*x, here, result);
+    result = for_every(*x, here, cut_all(parts_of(Theorem::assume(here)), result));
   }
   return result;
 }

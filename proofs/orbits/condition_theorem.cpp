@@ -186,7 +186,7 @@ Theorem decided(const Formula& inequality, const Theorem& orbit) {
   const Formula opened = unfold(inequality, {friction()});
   Formula here = opened;
   Letters letters;
-  for (const auto& [term, known] : bounds_said(orbit)) {
+  for (const auto& [term, known] : bounds_said(parts_of(orbit))) {
     const Variable letter{"value " + std::to_string(letters.size())};
     letters.emplace(letter, known);
     here = replaced(here, term, letter);

@@ -65,24 +65,28 @@ Known bounded(const Term& term, const Ranges& ranges, int places) {
           Theorem::sign(at_most(term, range.second), here, bits)};
 }
 
-std::map<Term, Known> bounds_said(const Theorem& theorem) {
-  const auto weaker = [&](const Formula& order) {
-    return Theorem::order(at_most(order.parts()[0], order.parts()[1]),
-                          {Positive{{Theorem::consequence({theorem}, order)}}});
-  };
+std::map<Term, Known> bounds_said(const std::vector<Theorem>& theorems) {
+  std::map<Term, Theorem> lower;
   std::map<Term, Known> result;
-  for (const Formula& one : theorem.conclusion().parts()) {
-    if (one.kind() != Kind::less || one.parts()[0].kind() != Kind::number) {
+  for (const Theorem& theorem : theorems) {
+    const Formula& said = theorem.conclusion();
+    if (said.kind() != Kind::less && said.kind() != Kind::equal) {
       continue;
     }
-    const Term& term = one.parts()[1];
-    for (const Formula& other : theorem.conclusion().parts()) {
-      if (other.kind() == Kind::less && other.parts()[0] == term && other.parts()[1].kind() == Kind::number &&
-          !result.contains(term)) {
-        result.emplace(
-            term,
-            Known{term, {one.parts()[0].value(), other.parts()[1].value()}, weaker(one), weaker(other)});
-      }
+    const Term &a = said.parts()[0], &b = said.parts()[1];
+    const bool has_number = b.kind() == Kind::number;
+    if (said.kind() == Kind::less && a.kind() == Kind::number && !has_number) {
+      lower.emplace(b, Theorem::order(at_most(a, b), {Positive{{theorem}}}));
+    } else if (said.kind() == Kind::less && has_number && lower.contains(a)) {
+      result.emplace(a, Known{a,
+                              {lower.at(a).conclusion().parts()[0].value(), b.value()},
+                              lower.at(a),
+                              Theorem::order(at_most(a, b), {Positive{{theorem}}})});
+    } else if (said.kind() == Kind::equal && has_number && a.kind() == Kind::entry) {
+      result.emplace(a, Known{a,
+                              {b.value(), b.value()},
+                              Theorem::order(at_most(b, a), {}, {{theorem}}),
+                              Theorem::order(at_most(a, b), {}, {{theorem, -1}})});
     }
   }
   return result;

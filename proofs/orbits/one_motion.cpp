@@ -43,8 +43,8 @@ class OneMotion {
 
   // ⊢ there are X, W1, …: what the theorem says; the pieces' names are gone.
   [[nodiscard]] Theorem closed(Theorem theorem) const {
-    theorem = Theorem::witness(theorem, exists(X_, theorem.conclusion()), X_);
-    theorem = Theorem::choose(Theorem::periodic(joined_[0], positive_period()), X_, theorem);
+    theorem = Theorem::choose(Theorem::periodic(joined_[0], positive_period()), X_,
+                              tactics::there_are({X_}, theorem));
     for (std::size_t k = 0; k + 1 < count(); ++k) {
       theorem = Theorem::choose(join(k), joined_[k], theorem);
     }

@@ -54,7 +54,7 @@ class Orbit {
       if (one.variables().empty()) {
         return certainly(one);
       }
-      if (one.kind() == Kind::at_most && !is_range(one)) {
+      if (one.kind() == Kind::at_most && !is_range(one, known_->parameters)) {
         return orbits::sign(one, known_->parameters);
       }
       if (one.kind() == Kind::equal && one != substitute(known_->between, known_->numbers)) {
@@ -85,12 +85,6 @@ class Orbit {
         }
       }
       return std::nullopt;
-    });
-  }
-  [[nodiscard]] bool is_range(const Formula& formula) const {
-    return std::ranges::any_of(known_->parameters, [&](const auto& one) {
-      return formula == at_most(one.second.first, one.first) ||
-             formula == at_most(one.first, one.second.second);
     });
   }
 
@@ -126,7 +120,7 @@ class Orbit {
 
   [[nodiscard]] Substitution at_value() const { return {{phases_.omega(), phases_.question().data.omega}}; }
   void declare(const Variable& variable, const Term& value) {
-    named_.emplace_back(variable, value);
+    named_.push_back(variable);
     values_.emplace(variable, value);
   }
   [[nodiscard]] PhaseKind kind(std::size_t k) const { return phases_.question().phases.at(k); }
@@ -161,7 +155,7 @@ class Orbit {
   // The ranges of the numbers, to nine decimals; that each phase lasts, for one that lasts less than no time
   // would obey anything; what the durations sum up to; 0 < us < ur.
   void numbers() {
-    for (const auto& [variable, value] : named_) {
+    for (const Variable& variable : named_) {
       if (variable.type == real_number) {
         bound(variable);
       }
@@ -247,14 +241,16 @@ class Orbit {
   }
 
   // there are …: all that is said, by the values.
-  [[nodiscard]] Theorem exists() const { return there_are(named_, all(said_), both(proved_)); }
+  [[nodiscard]] Theorem exists() const {
+    return tactics::there_are(named_, all(said_), values_, both(proved_));
+  }
 
   Phases phases_;
   Names names_;  // of the question that phases_ keeps
   std::optional<ClosedForm> known_ = {};
   Box box_;
   Ranges ranges_;
-  NamedValues named_;
+  std::vector<Variable> named_;
   Substitution values_;
   std::vector<Formula> said_;
   std::vector<Theorem> proved_;

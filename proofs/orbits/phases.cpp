@@ -52,17 +52,16 @@ Rational near(const Ball& ball) {
 
 Question question_of(const numeric::OrbitQuestion& question, const numeric::motion::Motion& nearly) {
   const numeric::Family& family = *question.family;
-  const auto middle = [](const Range& range) { return range.middle; };
-  const model::Parameters<Range>& a = question.parameters;
-  Question result{{middle(a.chi), middle(a.eta), middle(a.us), middle(a.V), middle(a.omega), middle(a.p)},
-                  family.phases,
-                  family.durations};
+  Question result{
+      model::mapped<Rational>(question.parameters, [](const Range& range) { return range.middle; }),
+      family.phases, family.durations};
   result.phi = question.phi ? std::optional(question.phi->middle) : std::nullopt;
   result.ur = question.ur ? std::optional(question.ur->middle) : std::nullopt;
   if (!family.why_no_phi.empty() && !family.why_no_ur.empty()) {
     const numeric::motion::Phase& first = nearly.phases.front();
-    const double turns = first.load.approximate() / std::numbers::pi +
-                         (a.omega.middle.get_d() * first.duration.approximate() / std::numbers::pi - 1) / 2;
+    const double turns =
+        first.load.approximate() / std::numbers::pi +
+        (result.data.omega.get_d() * first.duration.approximate() / std::numbers::pi - 1) / 2;
     result.lag = static_cast<int>(std::lround(turns));
   }
   return result;

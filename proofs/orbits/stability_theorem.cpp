@@ -66,8 +66,7 @@ Theorem judged(const Variable& M, const std::vector<Interval>& bounds) {
         Theorem result = settled(Theorem::assume(found), values);
         result = Theorem::consequence({result}, shown);
         result = Theorem::convert(result, claim, {characteristic(), polynomial_at()});
-        result = Theorem::witness(result, exists(mu, claim), mu);
-        return Theorem::choose(settled(there, values), mu, result);
+        return Theorem::choose(settled(there, values), mu, tactics::there_are({mu}, result));
       } catch (const KernelError&) {
         end *= 2;
       }
@@ -79,7 +78,7 @@ Theorem judged(const Variable& M, const std::vector<Interval>& bounds) {
 class Multipliers {
  public:
   Multipliers(const Question& question, const Theorem& body)
-      : q_(question), body_(body), said_(bounds_said(body)), names_(question), phases_(question) {
+      : q_(question), body_(body), said_(bounds_said(parts_of(body))), names_(question), phases_(question) {
     for (std::size_t k = 0; k < count(); ++k) {
       require_phase(k);
     }
@@ -97,11 +96,13 @@ class Multipliers {
     std::vector<Formula> said;
     std::vector<Theorem> proved;
     Term named = 0;
-    NamedValues values;
+    std::vector<Variable> names;
+    Substitution values;
     for (std::size_t k = 0; k < count(); ++k) {
       const Variable Y{fmt::format("Y{}", k + 1), variation_type}, d{q_.durations.at(k)};
       const Term flow = flow_of(k);
-      values.emplace_back(Y, flow);
+      names.push_back(Y);
+      values.emplace(Y, flow);
       said.push_back(varies(k, Y));
       proved.push_back(varies_proved(k, flow));
       const Event event = event_after(k);
@@ -115,11 +116,13 @@ class Multipliers {
     }
     const Variable name{"M", real_matrix(matrix_rows, matrix_rows)};
     const Theorem verdict = judged(name, M.bounds);
-    values.emplace_back(name, M.value);
+    names.push_back(name);
+    values.emplace(name, M.value);
     said.insert(said.end(), {equal(name, named), verdict.conclusion()});
     proved.insert(proved.end(), {Theorem::reflexive(M.value),
                                  Theorem::cut(M.known, Theorem::instantiate(verdict, {{name, M.value}}))});
-    return with_zero(settled(there_are(values, all(said), both(proved)), known_), letters_, system_, box_);
+    return with_zero(settled(tactics::there_are(names, all(said), values, both(proved)), known_), letters_,
+                     system_, box_);
   }
 
  private:
@@ -321,23 +324,12 @@ class Multipliers {
     const Definitions definitions{friction(), friction_rate()};
     Term lettered = unfold(said, definitions);
     Multipliers more = *this;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < matrix_rows; ++i) {
       const Variable x{fmt::format("x{}", i + 1)};
       if (const Term whole = replaced(lettered, entry(X, i), x); whole != lettered) {
         lettered = whole;
         more.add_known(x, entry(X, i));
       }
-    }
-    // x2' = V.
-    const Variable V{"v2"};
-    if (const Term whole = replaced(lettered, entry(X, 3), V); whole != lettered) {
-      lettered = whole;
-      const Theorem meets = Theorem::consequence({body_}, equal(entry(X, 3), q_.data.V));
-      const Interval range{q_.data.V, q_.data.V};
-      more.ranges_.emplace(V, range);
-      more.known_.emplace(
-          V, Known{entry(X, 3), range, Theorem::order(at_most(q_.data.V, entry(X, 3)), {}, {{meets}}),
-                   Theorem::order(at_most(entry(X, 3), q_.data.V), {}, {{meets, -1}})});
     }
     const Known one = bounded(lettered, more.ranges_);
     const auto as_said = [&](const Theorem& theorem, const Formula& formula) {

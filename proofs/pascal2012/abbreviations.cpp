@@ -1,11 +1,11 @@
 #include "proofs/pascal2012/claims.hpp"
 
-#include <algorithm>
 #include <string>
 
 #include "proofs/methods/reading.hpp"
 #include "proofs/symbols/parse.hpp"
 #include "proofs/symbols/vocabulary.hpp"
+#include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -15,14 +15,8 @@ using kernel::Variable;
 
 namespace {
 
-// Of all that the term depends on, those of these first.
 Definition named(const std::string& name, const Term& term, const std::vector<Variable>& first = {}) {
-  std::vector<Variable> parameters;
-  std::ranges::copy_if(first, std::back_inserter(parameters),
-                       [&](const Variable& one) { return term.variables().contains(one); });
-  std::ranges::copy_if(term.variables(), std::back_inserter(parameters),
-                       [&](const Variable& one) { return std::ranges::find(first, one) == first.end(); });
-  return {name, parameters, term};
+  return tactics::defined(name, term, first).definition();
 }
 
 // What is said of X between tau and Theta, of any times a and b.
@@ -30,7 +24,10 @@ Definition of_motion(const std::string& name, const std::string& says) {
   const Variable X{"X", kernel::function_of_time(4, 1)}, a{"a"}, b{"b"};
   const symbols::Statement said =
       symbols::parse_statements(says, symbols::names_of(symbols::symbol_table())).front();
-  return named(name, substitute(methods::Reader()(said), {{{"tau"}, a}, {{"Theta"}, b}}), {X, a, b});
+  const kernel::Formula formula = substitute(methods::Reader()(said), {{{"tau"}, a}, {{"Theta"}, b}});
+  std::vector<Variable> first{X, a, b};
+  std::erase_if(first, [&](const Variable& one) { return !formula.variables().contains(one); });
+  return named(name, formula, first);
 }
 
 Definition determinant_of(int rows) {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "model/waves.hpp"
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_o_closing.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
@@ -108,7 +108,7 @@ Claim printed_state_closes() {
                 "last place, close the motion",
                 [](Prover&, const Claim&) {
                   Outcome outcome = at_the_data(printed(), "(18)-(20) in balls over the printed intervals");
-                  const PrintedClosing<5> closing =
+                  const PrintedClosing closing =
                       printed_closing_overshooting(printed().data, *printed().phi,
                                                    {decimal("tau"), decimal("tau1"), signed_decimal("z10"),
                                                     signed_decimal("z20"), decimal("zdot10")});
@@ -126,21 +126,20 @@ Claim printed_state_closes() {
 }
 
 // (22) at the printed tau and tau_1: one of Delta1, Delta2, Delta3 over Delta.
-Claim by_22(const std::string& name,
-            const std::function<Ball(const model::CramerDeterminants<Ball>&)>& of_balls,
-            tactics::Symbolic model::CramerDeterminants<tactics::Symbolic>::*member) {
-  using tactics::Symbolic;
+template <class Ratio>
+Claim by_22(const std::string& name, const Ratio& ratio) {
   return computed_from(
       printed(), name, "(22) with $T = Theta - tau - tau_1$",
-      [of_balls] {
-        return of_balls(
-            model::cramer<Ball>(closing_of_O(exactly("tau"), exactly("tau1"), model::Reading::derived)));
+      [ratio] {
+        return Ball(ratio(
+            model::cramer<Ball>(closing_of_O(exactly("tau"), exactly("tau1"), model::Reading::derived))));
       },
-      [member](const Decimal& decimal, bool it_is) {
+      [ratio](const Decimal& decimal, bool it_is) {
         const auto at = [](const char * time) { return kernel::Term(printed_decimal(printed(), time)); };
-        const auto c = model::cramer<Symbolic>(closing_of_O(at("tau"), at("tau1"), model::Reading::derived));
+        const auto c =
+            model::cramer<tactics::Symbolic>(closing_of_O(at("tau"), at("tau1"), model::Reading::derived));
         return over_intervals({}, [&](const orbits::Ranges& ranges) {
-          return rounds_to(decimal, (c.*member / c.Delta).term, it_is, ranges);
+          return rounds_to(decimal, ratio(c).term, it_is, ranges);
         });
       });
 }
@@ -159,15 +158,10 @@ kernel::Theorem farther_from_zero() {
 
 // Which printed number was computed from which.
 std::vector<Claim> origins() {
-  using Balls = model::CramerDeterminants<Ball>;
-  using Terms = model::CramerDeterminants<tactics::Symbolic>;
   return {
-      by_22(
-          "z10", [](const Balls& c) { return c.Delta1 / c.Delta; }, &Terms::Delta1),
-      by_22(
-          "z20", [](const Balls& c) { return c.Delta2 / c.Delta; }, &Terms::Delta2),
-      by_22(
-          "zdot10", [](const Balls& c) { return c.Delta3 / c.Delta; }, &Terms::Delta3),
+      by_22("z10", [](const auto& c) { return c.Delta1 / c.Delta; }),
+      by_22("z20", [](const auto& c) { return c.Delta2 / c.Delta; }),
+      by_22("zdot10", [](const auto& c) { return c.Delta3 / c.Delta; }),
       computed_by(printed(), "ur", "(24)",
                   [](const auto& known) {
                     const std::array z{known("z10"), known("z20")};

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "proofs/methods/reading.hpp"
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
@@ -26,10 +26,9 @@ const methods::Example& printed() {
   return example_named("O");
 }
 
-// The number as a definition O_NAME of all that it depends on, applied.
+// As a definition O_NAME.
 Term named(const std::string& name, const Term& number) {
-  const std::vector<Variable> parameters(number.variables().begin(), number.variables().end());
-  return kernel::Definition("O_" + name, parameters, number)({parameters.begin(), parameters.end()});
+  return tactics::defined("O_" + name, number);
 }
 
 Coefficients in_entries(model::Reading reading) {
@@ -67,17 +66,10 @@ Coefficients in_entries(model::Reading reading) {
 
 // Each of the twenty coefficients by another, with a name: a_1, ….
 template <class Change>
-Coefficients changed(const Coefficients& k, const Change& change) {
-  Coefficients result;
-  for (const auto& [letter, column] : {std::pair{'a', &Coefficients::a},
-                                       {'b', &Coefficients::b},
-                                       {'c', &Coefficients::c},
-                                       {'d', &Coefficients::d}}) {
-    for (std::size_t i = 0; i < 5; ++i) {
-      (result.*column).at(i) = change(fmt::format("{}_{}", letter, i + 1), (k.*column).at(i).term);
-    }
-  }
-  return result;
+Coefficients changed(Coefficients k, const Change& change) {
+  model::each_coefficient(
+      k, [&](char letter, int i, Symbolic& one) { one = change(fmt::format("{}_{}", letter, i), one.term); });
+  return k;
 }
 
 // With it F_1 + share F_2 depends on tau hardly at all.

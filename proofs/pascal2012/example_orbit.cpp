@@ -10,7 +10,7 @@
 #include "numeric/families/family.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/tactics/tactics.hpp"
 

@@ -64,8 +64,7 @@ struct Printed {
   }
   [[nodiscard]] S operator()(const std::string& name) const { return number(printed_decimal(example, name)); }
   [[nodiscard]] model::Parameters<S> data() const {
-    const model::Parameters<Rational>& a = example.data;
-    return {number(a.chi), number(a.eta), number(a.us), number(a.V), number(a.omega), number(a.p)};
+    return model::mapped<S>(example.data, [](const Rational& value) { return number(value); });
   }
 };
 

@@ -7,6 +7,7 @@
 #include "model/waves.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
@@ -57,57 +58,42 @@ kernel::Formula is_not_printed(const char * name, const kernel::Term& value) {
 kernel::Theorem at_all_solutions(const SymmetricEquations& e, const SymmetricList& list,
                                  const kernel::Formula& goal, const orbits::Ranges& frequencies) {
   using namespace kernel;
-  const Formula during = between(0, e.tau, e.Theta);
-  const std::size_t count = list.tau.size();
-
-  // The list, opened.
-  Formula said = list.theorem.conclusion();
-  std::vector<std::pair<Variable, Formula>> openings;
-  for (std::size_t k = 0; k < count; ++k) {
-    for (const Variable& x : {list.tau[k], list.C[k]}) {
-      openings.emplace_back(x, said);
-      said = opened(said, x);
-    }
-  }
-  const Theorem known = Theorem::assume(said);
-  const Formula every = said.parts().back();
-  const Formula rows = opened(opened(every, e.tau).parts()[1], e.C).parts()[0];
-  const Theorem one_of =
-      tactics::at(tactics::at(Theorem::consequence({known}, every), e.tau, Theorem::assume(during)), e.C,
-                  Theorem::assume(rows));
-  std::vector<Theorem> cases{one_of};
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::vector<Formula>& parts = list.says[k].parts();
-    const orbits::Ranges bounds{{list.tau[k], {parts[0].parts()[0].value(), parts[1].parts()[1].value()}},
-                                {list.C[k], {parts[2].parts()[0].value(), parts[3].parts()[1].value()}}};
-    orbits::Ranges here = frequencies;
-    here.insert(bounds.begin(), bounds.end());
-    const Formula there = substitute(goal, {{e.tau, list.tau[k]}, {e.C, list.C[k]}});
-    Theorem other = Theorem::consequence({decided_one_of(there, here)}, there);
-    for (const auto& [x, range] : bounds) {
-      for (const auto& [bound, strict] : {std::pair{at_most(range.first, x), less(range.first, x)},
-                                          {at_most(x, range.second), less(x, range.second)}}) {
-        other =
-            Theorem::cut(x == list.tau[k] ? Theorem::order(bound, {{{Theorem::consequence({known}, strict)}}})
-                                          : Theorem::consequence({known}, bound),
-                         other);
+  return orbits::of_orbit(list.theorem, [&](const Theorem& known) {
+    const Formula during = between(0, e.tau, e.Theta);
+    const Formula every = known.conclusion().parts().back();
+    const Formula rows = opened(opened(every, e.tau).parts()[1], e.C).parts()[0];
+    const Theorem one_of =
+        tactics::at(tactics::at(Theorem::consequence({known}, every), e.tau, Theorem::assume(during)), e.C,
+                    Theorem::assume(rows));
+    std::vector<Theorem> cases{one_of};
+    for (std::size_t k = 0; k < list.tau.size(); ++k) {
+      const std::vector<Formula>& parts = list.says[k].parts();
+      const orbits::Ranges bounds{{list.tau[k], {parts[0].parts()[0].value(), parts[1].parts()[1].value()}},
+                                  {list.C[k], {parts[2].parts()[0].value(), parts[3].parts()[1].value()}}};
+      orbits::Ranges here = frequencies;
+      here.insert(bounds.begin(), bounds.end());
+      const Formula there = substitute(goal, {{e.tau, list.tau[k]}, {e.C, list.C[k]}});
+      Theorem other = Theorem::consequence({decided_one_of(there, here)}, there);
+      for (const auto& [x, range] : bounds) {
+        for (const auto& [bound, strict] : {std::pair{at_most(range.first, x), less(range.first, x)},
+                                            {at_most(x, range.second), less(x, range.second)}}) {
+          other = Theorem::cut(x == list.tau[k]
+                                   ? Theorem::order(bound, {{{Theorem::consequence({known}, strict)}}})
+                                   : Theorem::consequence({known}, bound),
+                               other);
+        }
       }
+      for (const auto& [x, value] : {std::pair{e.tau, list.tau[k]}, {e.C, list.C[k]}}) {
+        other = tactics::by_rewriting(other, tactics::symmetric(Theorem::assume(equal(x, value))));
+      }
+      for (const auto& [x, value] : {std::pair{e.tau, list.tau[k]}, {e.C, list.C[k]}}) {
+        other = Theorem::discharge(other, equal(x, value));
+      }
+      cases.push_back(other);
     }
-    for (const auto& [x, value] : {std::pair{e.tau, list.tau[k]}, {e.C, list.C[k]}}) {
-      const Formula equation = equal(x, value);
-      other = tactics::by_rewriting(other, tactics::symmetric(Theorem::assume(equation)));
-    }
-    for (const auto& [x, value] : {std::pair{e.tau, list.tau[k]}, {e.C, list.C[k]}}) {
-      other = Theorem::discharge(other, equal(x, value));
-    }
-    cases.push_back(other);
-  }
-  Theorem result =
-      tactics::for_every(e.tau, during, tactics::for_every(e.C, rows, Theorem::consequence(cases, goal)));
-  for (auto opening = openings.rbegin(); opening != openings.rend(); ++opening) {
-    result = Theorem::choose(Theorem::assume(opening->second), opening->first, result);
-  }
-  return Theorem::cut(list.theorem, result);
+    return tactics::for_every(e.tau, during,
+                              tactics::for_every(e.C, rows, Theorem::consequence(cases, goal)));
+  });
 }
 
 namespace {

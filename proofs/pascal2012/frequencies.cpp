@@ -111,7 +111,7 @@ Theorem frequencies_exist() {
       {{x.square, power(omega2, 2)}, {y.square, first}, {r.square, Term(Rational(-1, 4))}});
   const Theorem data = cut_all({x_positive, x_below, y_above}, of_model(chi, eta, of_sum, of_product));
   const Theorem known = both({x_positive, x_below, y_above, part(data, 0), part(data, 1)});
-  Theorem result = there_are({omega1, omega2}, known.conclusion(), {}, known);
+  Theorem result = there_are({omega1, omega2}, known);
   for (const Root& number : {y, x, r}) {
     result = Theorem::choose(number.existence, number.name, result);
   }
@@ -131,13 +131,8 @@ Outcome said_of_data(Prover& prover, const Claim&) {
     const Theorem exist = prover.theorem("39.frequencies");
     for (const std::string& id : ids) {
       const Theorem closed = closed_but_frequencies(prover.theorem(id));
-      outcome.theorems.push_back(orbits::orbit_with(exist, [&](const Theorem& there) {
-        Theorem theorem = closed;
-        for (std::size_t i = 0; i < there.conclusion().parts().size(); ++i) {
-          theorem = Theorem::cut(part(there, i), theorem);
-        }
-        return theorem;
-      }));
+      outcome.theorems.push_back(
+          orbits::orbit_with(exist, [&](const Theorem& there) { return cut_all(parts_of(there), closed); }));
     }
     return outcome;
   } catch (const KernelError& error) {
@@ -156,10 +151,7 @@ Theorem closed_but_frequencies(Theorem theorem) {
     }
   }
   const Formula together = all(supposed);
-  for (std::size_t i = 0; i < supposed.size(); ++i) {
-    theorem = Theorem::cut(part(Theorem::assume(together), i), theorem);
-  }
-  theorem = Theorem::discharge(theorem, together);
+  theorem = Theorem::discharge(cut_all(parts_of(Theorem::assume(together)), theorem), together);
   const Variables variables = theorem.conclusion().variables();
   for (const Variable& one : variables) {
     if (!is_frequency(one)) {
@@ -201,7 +193,7 @@ Theorem at_frequencies(const Rational& at_chi, const Rational& at_eta,
   const Theorem here = cut_all(parts, data), of_chi = part(here, 0), of_eta = part(here, 1);
   parts.insert(parts.end(), {of_chi, of_eta, cut_all({of_chi, of_eta}, more(ranges))});
   const Theorem known = both(parts);
-  return orbits::with_zero(there_are(unknowns, known.conclusion(), {}, known), unknowns, equations, box);
+  return orbits::with_zero(there_are(unknowns, known), unknowns, equations, box);
 }
 
 Proofs frequencies() {

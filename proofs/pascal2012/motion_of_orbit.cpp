@@ -9,7 +9,6 @@
 #include "proofs/methods/gate.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/all_zeros.hpp"
-#include "proofs/orbits/by_slopes.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
@@ -205,8 +204,9 @@ class MotionOf {
   // The theorem without hypotheses: they hold.
   [[nodiscard]] Theorem discharged(const Theorem& theorem) const {
     return tactics::settled_by(theorem, [&](const Formula& one) {
-      return said_.hypotheses().contains(one) || is_of_data(one) || is_range(one) ? std::nullopt
-                                                                                  : std::optional(holds(one));
+      return said_.hypotheses().contains(one) || is_of_data(one) || orbits::is_range(one, frequencies_)
+                 ? std::nullopt
+                 : std::optional(holds(one));
     });
   }
 
@@ -219,12 +219,6 @@ class MotionOf {
     Reader read;
     return {{read(symbols::vocabulary::chi), example_.data.chi, {"of chi"}},
             {read(symbols::vocabulary::eta), example_.data.eta, {"of eta"}}};
-  }
-  [[nodiscard]] bool is_range(const Formula& formula) const {
-    return std::ranges::any_of(frequencies_, [&](const auto& one) {
-      return formula == at_most(one.second.first, one.first) ||
-             formula == at_most(one.first, one.second.second);
-    });
   }
   [[nodiscard]] bool is_of_data(const Formula& formula) const {
     return std::ranges::any_of(data(),
@@ -338,28 +332,10 @@ class MotionOf {
   }
   // Letters for durations, phi, ur and entries of states, with the decimals between which they lie.
   [[nodiscard]] orbits::Letters known_ranges() const {
-    std::map<Term, Theorem> lower;
     orbits::Letters result;
-    const auto add = [&](const Term& value, const kernel::Interval& range, const Theorem& from,
-                         const Theorem& to) {
+    for (const auto& [value, known] : orbits::bounds_said(facts_)) {
       const std::string prefix = value.kind() == Kind::entry ? "entry " : "number ";  // entries first
-      result.emplace(Variable{prefix + std::to_string(result.size())}, orbits::Known{value, range, from, to});
-    };
-    for (const Theorem& fact : facts_) {
-      const Formula& formula = fact.conclusion();
-      if (formula.kind() != Kind::less && formula.kind() != Kind::equal) {
-        continue;
-      }
-      const Term &a = formula.parts()[0], &b = formula.parts()[1];
-      if (formula.kind() == Kind::less && a.kind() == Kind::number && a != Term(0)) {
-        lower.insert_or_assign(b, Theorem::order(at_most(a, b), {Positive{{fact}}}));
-      } else if (formula.kind() == Kind::less && b.kind() == Kind::number && lower.contains(a)) {
-        add(a, {lower.at(a).conclusion().parts()[0].value(), b.value()}, lower.at(a),
-            Theorem::order(at_most(a, b), {Positive{{fact}}}));
-      } else if (formula.kind() == Kind::equal && b.kind() == Kind::number && a.kind() == Kind::entry) {
-        add(a, {b.value(), b.value()}, Theorem::order(at_most(b, a), {}, {{fact}}),
-            Theorem::order(at_most(a, b), {}, {{fact, -1}}));
-      }
+      result.emplace(Variable{prefix + std::to_string(result.size())}, known);
     }
     return result;
   }

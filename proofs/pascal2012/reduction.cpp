@@ -394,12 +394,10 @@ std::vector<Equal> computed(Derivation& derivation) {
       symbol("V"), symbol("phi"), symbol("tau"), symbol("tau1"), symbol("T"));
   const auto k = model::appendix3<Symbolic>(letters, model::Reading::printed);
   std::vector<Equal> result;
-  for (const auto& [letter, column] : {std::pair('a', k.a), {'b', k.b}, {'c', k.c}, {'d', k.d}}) {
-    for (std::size_t i = 0; i < column.size(); ++i) {
-      const Claim& claim = derivation.prover().claim(fmt::format("{}.{}", 47 + i, letter));
-      result.push_back({column[i].term, derivation.read(claim.printed.front().right)});
-    }
-  }
+  model::each_coefficient(k, [&](char letter, int i, const Symbolic& one) {
+    const Claim& claim = derivation.prover().claim(fmt::format("{}.{}", 46 + i, letter));
+    result.push_back({one.term, derivation.read(claim.printed.front().right)});
+  });
   return result;
 }
 

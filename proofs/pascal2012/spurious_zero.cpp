@@ -6,7 +6,7 @@
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/orbits/all_zeros.hpp"
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/symbols/vocabulary.hpp"
@@ -66,24 +66,15 @@ struct InLetters {
   model::CramerDeterminants<Symbolic> delta;
 
   InLetters() {
-    for (const auto& [letter, column] : columns(k)) {
-      for (std::size_t i = 0; i < 5; ++i) {
-        column->at(i) = Variable{fmt::format("{}{}", letter, i + 1)};
-      }
-    }
+    model::each_coefficient(k, [](char letter, int i, Symbolic& one) { one = named(letter, i); });
     delta = model::cramer<Symbolic>(k);
   }
-  [[nodiscard]] static std::array<std::pair<char, Column *>, 4> columns(Coefficients& of) {
-    return {{{'a', &of.a}, {'b', &of.b}, {'c', &of.c}, {'d', &of.d}}};
-  }
+  [[nodiscard]] static Variable named(char letter, int i) { return {fmt::format("{}{}", letter, i)}; }
   // With a state for n, and these coefficients.
-  [[nodiscard]] static Theorem at(const Theorem& theorem, Coefficients of, const Three& state) {
+  [[nodiscard]] static Theorem at(const Theorem& theorem, const Coefficients& of, const Three& state) {
     Substitution values{{{"n1"}, state[0]}, {{"n2"}, state[1]}, {{"n3"}, state[2]}};
-    for (const auto& [letter, column] : columns(of)) {
-      for (std::size_t i = 0; i < 5; ++i) {
-        values.emplace(Variable{fmt::format("{}{}", letter, i + 1)}, column->at(i).term);
-      }
-    }
+    model::each_coefficient(
+        of, [&](char letter, int i, const Symbolic& one) { values.emplace(named(letter, i), one.term); });
     return Theorem::instantiate(theorem, values);
   }
 
@@ -117,10 +108,8 @@ struct InLetters {
         because.push_back({Theorem::assume(lines.back()), cross(k.a, k.c, i).term});
       }
     }
-    Theorem vanishes = Theorem::combination(equal(delta.Delta2.term, 0), because);
-    for (std::size_t i = 0; i < 3; ++i) {
-      vanishes = Theorem::cut(part(Theorem::assume(all(lines)), i), vanishes);
-    }
+    const Theorem vanishes = cut_all(parts_of(Theorem::assume(all(lines))),
+                                     Theorem::combination(equal(delta.Delta2.term, 0), because));
     const Formula none = negation(all(lines));
     return Theorem::consequence({Theorem::discharge(vanishes, all(lines))},
                                 any({vanishes.conclusion(), none}));
@@ -142,14 +131,11 @@ Substitution with_data(Substitution times) {
 // The coefficients of (21), by their names.
 Coefficients coefficients(const Substitution& values) {
   methods::Reader read;
-  const auto column = [&](char letter) {
-    Column result;
-    for (int i = 1; i <= 5; ++i) {
-      result.at(static_cast<std::size_t>(i) - 1) = substitute(read(symbols::coefficient(letter, i)), values);
-    }
-    return result;
-  };
-  return {column('a'), column('b'), column('c'), column('d')};
+  Coefficients result;
+  model::each_coefficient(result, [&](char letter, int i, Symbolic& one) {
+    one = substitute(read(symbols::coefficient(letter, i)), values);
+  });
+  return result;
 }
 // At the data of Fig. 3.
 Coefficients coefficients(const Term& slip, const Term& overshoot, const Term& stick) {
@@ -257,26 +243,24 @@ class Halved {
       none = Theorem::generalize(none, {z->name()});
     }
     const Theorem lasts = sign(less(0, rest(h, h)));
-    Theorem result = both({sign(less(0, h)), sign(less(0, h)), lasts, known(letters.compatible(3)),
-                           known(letters.compatible(4)), singular, none});
+    const Theorem of_h = both({sign(less(0, h)), sign(less(0, h)), lasts, known(letters.compatible(3)),
+                               known(letters.compatible(4)), singular, none});
     // The same of tau and tau1, which are h.
-    const auto says = [&](const Term& slip, const Term& overshoot) {
-      const Term stick = rest(slip, overshoot);
-      const Coefficients k = coefficients(slip, overshoot, stick);
-      const auto F = model::compatibility<Symbolic>(k);
-      std::vector<Formula> lines;
-      for (std::size_t i = 0; i < 5; ++i) {
-        lines.push_back(line(k, i, letters.z));
-      }
-      Formula unsolved = negation(all(lines));
-      for (auto z = letters.z.rbegin(); z != letters.z.rend(); ++z) {
-        unsolved = for_all({z->name()}, unsolved);
-      }
-      return all({less(0, slip), less(0, overshoot), less(0, stick), equal(F[0].term, 0), equal(F[1].term, 0),
-                  equal(model::cramer<Symbolic>(k).Delta.term, 0), unsolved});
-    };
-    result = Theorem::witness(result, exists(tau1, says(h, tau1)), h);
-    return Theorem::witness(result, exists(tau, exists(tau1, says(tau, tau1))), h);
+    const Term stick = rest(tau, tau1);
+    const Coefficients k = coefficients(tau, tau1, stick);
+    const auto F = model::compatibility<Symbolic>(k);
+    std::vector<Formula> lines;
+    for (std::size_t i = 0; i < 5; ++i) {
+      lines.push_back(line(k, i, letters.z));
+    }
+    Formula unsolved = negation(all(lines));
+    for (auto z = letters.z.rbegin(); z != letters.z.rend(); ++z) {
+      unsolved = for_all({z->name()}, unsolved);
+    }
+    return there_are({tau, tau1},
+                     all({less(0, tau), less(0, tau1), less(0, stick), equal(F[0].term, 0),
+                          equal(F[1].term, 0), equal(model::cramer<Symbolic>(k).Delta.term, 0), unsolved}),
+                     {{tau, h}, {tau1, h}}, of_h);
   }
 
   orbits::Ranges ranges_;

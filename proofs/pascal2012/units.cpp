@@ -54,9 +54,7 @@ Theorem one_unit() {
   const Theorem exists_one =
       Theorem::choose(there, Omega, Theorem::witness(unit, exists(Omega, is_unit(Omega)), Omega));
   const Formula two = all({is_unit(Omega), is_unit(other)});
-  const Theorem equal_ones =
-      Theorem::cut(part(Theorem::assume(two), 1),
-                   Theorem::cut(part(Theorem::assume(two), 0), Theorem::cut(heavy, same())));
+  const Theorem equal_ones = cut_all(parts_of(Theorem::assume(two)), Theorem::cut(heavy, same()));
   return both({exists_one,
                Theorem::generalize(Theorem::generalize(Theorem::discharge(equal_ones, two), other), Omega)});
 }

@@ -1,5 +1,6 @@
 #include "proofs/tactics/tactics.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "proofs/tactics/almost_always.hpp"
@@ -19,6 +20,13 @@ Term unit(int rows, int columns, std::size_t place) {
   std::vector<Term> entries(static_cast<std::size_t>(rows * columns), 0);
   entries.at(place) = 1;
   return matrix(rows, columns, entries);
+}
+
+Term defined(const std::string& name, const Term& body, const std::vector<Variable>& first) {
+  std::vector<Variable> parameters = first;
+  std::ranges::copy_if(body.variables(), std::back_inserter(parameters),
+                       [&](const Variable& one) { return std::ranges::find(first, one) == first.end(); });
+  return Definition(name, parameters, body)({parameters.begin(), parameters.end()});
 }
 
 Definitions definitions_in(std::vector<Term> terms) {
@@ -54,6 +62,14 @@ Theorem part(const Theorem& conjunction, std::size_t index) {
   return Theorem::consequence({conjunction}, conjunction.conclusion().parts().at(index));
 }
 
+std::vector<Theorem> parts_of(const Theorem& conjunction) {
+  std::vector<Theorem> parts;
+  for (const Formula& one : conjunction.conclusion().parts()) {
+    parts.push_back(Theorem::consequence({conjunction}, one));
+  }
+  return parts;
+}
+
 Theorem cut_all(const std::vector<Theorem>& lemmas, Theorem theorem) {
   for (const Theorem& lemma : lemmas) {
     theorem = Theorem::cut(lemma, theorem);
@@ -70,6 +86,10 @@ Theorem there_are(const std::vector<Variable>& names, Formula formula, const ker
                                value != values.end() ? value->second : Term(*name));
   }
   return theorem;
+}
+
+Theorem there_are(const std::vector<Variable>& names, Theorem theorem) {
+  return there_are(names, theorem.conclusion(), {}, theorem);
 }
 
 Theorem detach(const Theorem& implication, const Theorem& premise) {

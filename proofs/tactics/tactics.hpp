@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "proofs/kernel/theorem.hpp"
@@ -47,6 +48,9 @@ void each_part(const std::vector<Term>& terms, const Visit& visit) {
 }
 // A matrix of zeros with a one, at that place row by row.
 [[nodiscard]] Term unit(int rows, int columns, std::size_t place);
+// A definition of all that the body depends on, of these first, applied to just that.
+[[nodiscard]] Term defined(const std::string& name, const Term& body,
+                           const std::vector<Variable>& first = {});
 // All definitions applied in the terms, and in the bodies of these.
 [[nodiscard]] Definitions definitions_in(std::vector<Term> terms);
 
@@ -76,12 +80,15 @@ template <class All, class Work>
 [[nodiscard]] Theorem symmetric(const Theorem& equation);       // a = b gives b = a
 [[nodiscard]] Theorem both(const std::vector<Theorem>& parts);  // their conjunction
 [[nodiscard]] Theorem part(const Theorem& conjunction, std::size_t index);
+[[nodiscard]] std::vector<Theorem> parts_of(const Theorem& conjunction);
 // A, B, … ⊢ C and ⊢ A, ⊢ B, … give ⊢ C, one after the other.
 [[nodiscard]] Theorem cut_all(const std::vector<Theorem>& lemmas, Theorem theorem);
 // The formula with the values of these names ⊢ there are names: the formula. A name without a value stands
 // for itself.
 [[nodiscard]] Theorem there_are(const std::vector<Variable>& names, Formula formula,
                                 const kernel::Substitution& values, Theorem theorem);
+// ⊢ there are these, the first outermost: what the theorem says of them.
+[[nodiscard]] Theorem there_are(const std::vector<Variable>& names, Theorem theorem);
 // A ⇒ C and A give C.
 [[nodiscard]] Theorem detach(const Theorem& implication, const Theorem& premise);
 // for all t: A(t) ⇒ C(t), and A(x), give C(x).

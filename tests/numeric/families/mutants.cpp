@@ -6,8 +6,8 @@
 #include "numeric/zeros/elimination.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 #include "numeric/zeros/search.hpp"
-#include "proofs/pascal2012/printed_example.hpp"
 #include "tests/numeric/families/composed.hpp"
+#include "tests/numeric/families/equations_16.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;

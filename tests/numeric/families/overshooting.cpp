@@ -119,11 +119,11 @@ TEST_CASE("the closing conditions at printed values contain those at every point
                    [](const char * t) { return parse_decimal(t); });
     return printed_closing_overshooting(O(), 0, printed);
   };
-  const PrintedClosing<5> paper = closing({"4.909", "2.8275", "1.2809", "3.3861", "-0.4117"});
+  const PrintedClosing paper = closing({"4.909", "2.8275", "1.2809", "3.3861", "-0.4117"});
   CHECK(paper.verdict.truth == Truth::refuted);
-  const PrintedClosing<5> right = closing({"4.90912", "2.82727", "1.28219", "3.38966", "-0.41265"});
+  const PrintedClosing right = closing({"4.90912", "2.82727", "1.28219", "3.38966", "-0.41265"});
   CHECK(right.verdict.truth == Truth::undecided);
-  for (const PrintedClosing<5>& c : {paper, right}) {
+  for (const PrintedClosing& c : {paper, right}) {
     for (int i = 0; i < 5; ++i) {
       CHECK(c.at_intervals(i).contains(c.at_points(i)));
     }

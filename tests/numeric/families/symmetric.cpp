@@ -4,12 +4,15 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/printed.hpp"
 #include "numeric/zeros/krawczyk.hpp"
-#include "proofs/pascal2012/printed_example.hpp"
 #include "tests/numeric/examples.hpp"
+#include "tests/numeric/families/equations_16.hpp"
 #include "tests/numeric/families/random_data.hpp"
 
 using namespace stickslip;
@@ -127,17 +130,21 @@ TEST_CASE("a guess that is no orbit is not proved") {
 }
 
 TEST_CASE("the printed values of example S, in the paper's own equations") {
-  const PrintedClosing<4> zero = printed_zero_of_16(S(), {parse_decimal("7.749"), parse_decimal("1.0609"),
-                                                          parse_decimal("1.3615"), parse_decimal("0.581")});
+  const Equations16 f = equations_16(S(), LoadPhase::first);
+  const auto over = [](const std::array<const char *, 4>& printed) {
+    Box<4> intervals;
+    std::transform(printed.begin(), printed.end(), intervals.begin(),
+                   [](const char * text) { return printed_interval(parse_decimal(text)); });
+    return intervals;
+  };
+  const Box<4> printed = over({"7.749", "1.0609", "1.3615", "0.581"});
   for (int i = 0; i < 4; ++i) {
-    CHECK(zero.at_intervals(i).contains(zero.at_points(i)));
+    CHECK(f(printed)(i).contains(f(midpoint<4>(printed))(i)));
   }
-  CHECK(zero.verdict.truth == Truth::refuted);
+  CHECK(krawczyk_test<4>(f, printed).verdict.truth == Truth::refuted);
   // The same test on intervals around the proved values accepts them.
-  const PrintedClosing<4> right =
-      printed_zero_of_16(S(), {parse_decimal("7.746695"), parse_decimal("1.061513"),
-                               parse_decimal("1.362640"), parse_decimal("0.580303")});
-  CHECK(right.verdict.truth != Truth::refuted);
+  const Box<4> right = over({"7.746695", "1.061513", "1.362640", "0.580303"});
+  CHECK(krawczyk_test<4>(f, right).verdict.truth != Truth::refuted);
 }
 
 TEST_CASE("data outside the domain are refused by name") {

@@ -1,4 +1,4 @@
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 
 #include <doctest/doctest.h>
 

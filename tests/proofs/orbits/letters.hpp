@@ -1,7 +1,7 @@
 // Variables, and ranges of them, for the tests of this folder.
 #pragma once
 
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 
 namespace stickslip::proofs::orbits::letters {
 

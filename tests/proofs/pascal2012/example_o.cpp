@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "proofs/methods/motions.hpp"
-#include "proofs/orbits/by_slopes.hpp"
+#include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_o_closing.hpp"
 #include "proofs/pascal2012/examples.hpp"
 #include "proofs/pascal2012/printed_example.hpp"
