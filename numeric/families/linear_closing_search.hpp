@@ -276,14 +276,14 @@ auto LinearEliminant<P>::contract(const P& problem, const Box& X) -> std::option
 }
 
 template <class P>
-zeros::Decision<P::times> LinearEliminant<P>::decide(const P& problem, const Box& X) {
+zeros::ZeroProof<P::times> LinearEliminant<P>::decide(const P& problem, const Box& X) {
   const auto f = near(problem, X);
   if (!f) {
-    return {std::nullopt, false, dependent};
+    return {Verdict::undecided(dependent), X, X};
   }
-  zeros::Decision<P::times> decision = zeros::KrawczykDecider<P::times, LinearEliminant<P>>{*f}(X);
-  if (decision.found && !f->linear(decision.found->zero)) {
-    return {std::nullopt, false, "the load's phase may be undetermined"};
+  zeros::ZeroProof<P::times> decision = zeros::decide_by_krawczyk<P::times>(*f, X);
+  if (decision.verdict.truth == Truth::proved && !f->linear(decision.box)) {
+    decision.verdict = Verdict::undecided("the load's phase may be undetermined");
   }
   return decision;
 }

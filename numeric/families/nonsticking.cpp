@@ -171,9 +171,9 @@ struct Searched {
   Scaled g;
 
   [[nodiscard]] std::optional<Box<2>> contract(const Box<2>& X) const {
-    return KrawczykContractor<2, Scaled>{g}(X);
+    return contract_by_krawczyk<2>(g, X);
   }
-  [[nodiscard]] Decision<2> decide(const Box<2>& X) const { return KrawczykDecider<2, Scaled>{g}(X); }
+  [[nodiscard]] ZeroProof<2> decide(const Box<2>& X) const { return decide_by_krawczyk<2>(g, X); }
   [[nodiscard]] std::optional<Unresolved> left_open(const UnresolvedBox<2>& open) const {
     if ((open.box(0) - Ball(1)).is_positive()) {
       return std::nullopt;
@@ -189,8 +189,8 @@ Scaled scaled(const ExactParameters& a) {
 }
 
 // The zero, refined, as a motion to be proved, if it is inside.
-Concluded<Candidate> conclude(const ExactParameters& a, const FoundZero<2>& found) {
-  const Box<2> x = refine<2>([&] { return scaled(a); }, found.zero, guess_bits);
+Concluded<Candidate> conclude(const ExactParameters& a, const ZeroProof<2>& found) {
+  const Box<2> x = refine<2>([&] { return scaled(a); }, found.box, guess_bits);
   const TwoSlips f = scaled(a).f;
   const std::vector<NamedBall> where = tau_and_phi(f, x);
   return concluded<Candidate>(place(x(0)), where, [&] {
@@ -244,7 +244,7 @@ Found search_nonsticking(const Given<Rational>& given) {
   }
   result = isolate<Candidate, 2>(
       {{0, mu_first}, {delta_last, mu_last}}, {0x1p-30, 200000}, [&] { return Searched{scaled(a)}; },
-      [&](const FoundZero<2>& zero) { return conclude(a, zero); });
+      [&](const ZeroProof<2>& zero) { return conclude(a, zero); });
   sort_out(result.candidates);
   return result;
 }
