@@ -95,11 +95,9 @@ Json phases_of(const MotionOf<double>& motion, const Family& family, std::size_t
 }
 
 std::string parameter_text(const OrbitQuestion& question) {
-  std::string text;
-  for (const auto& [name, range] : named_parameters(question)) {
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, notation(range));
-  }
-  return in_greek(text);
+  return in_greek(enumerated(named_parameters(question), [](const auto& one) {
+    return fmt::format("{} = {}", one.first, notation(one.second));
+  }));
 }
 
 std::string tell(const Orbit& orbit) {
