@@ -197,10 +197,7 @@ std::tuple<py::dict, py::dict, py::list> orbit(const Told<OrbitList>& t, std::si
   py::dict decided;
   py::dict values;
   py::list multipliers;
-  const Truth admissible = o.admissible.truth;
-  decided["admissible"] = admissible == Truth::proved || admissible == Truth::refuted
-                              ? std::optional(admissible == Truth::proved)
-                              : std::nullopt;
+  decided["admissible"] = o.admissible.is_decided() ? std::optional(is_admissible(o)) : std::nullopt;
   if (!o.split.empty()) {
     decided["split"] = o.split;
   }

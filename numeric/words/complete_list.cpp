@@ -142,8 +142,7 @@ WordList all_without_stick(const WordQuestion& question, const Word& word, long 
 // Whether OS is proved to have an orbit that obeys the law.
 bool has_orbit(const WordQuestion& question) {
   const WordList list = all_without_stick(question, Word::parse("OS"), 1);
-  return std::any_of(list.orbits.begin(), list.orbits.end(),
-                     [](const WordOrbit& o) { return o.orbit.admissible.truth == Truth::proved; });
+  return std::ranges::any_of(list.orbits, families::is_admissible, &WordOrbit::orbit);
 }
 
 }  // namespace

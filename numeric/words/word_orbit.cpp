@@ -62,12 +62,6 @@ Motion motion_of(const WordQuestion& question, const MachineQuestion& chain, con
   return motion;
 }
 
-bool all_decided(const families::Orbit& orbit) {
-  return std::all_of(orbit.conditions.begin(), orbit.conditions.end(), [](const Condition& c) {
-    return c.verdict.truth == Truth::proved || c.verdict.truth == Truth::refuted;
-  });
-}
-
 bool is_open(const families::Orbit& orbit) {
   return !all_decided(orbit) || (orbit.stability && orbit.stability->kind == StabilityKind::undecided);
 }
@@ -83,7 +77,7 @@ families::Orbit decided(const WordQuestion& question, const MachineQuestion& cha
   orbit.conditions =
       decide_all(phases, requirements, orbit.motion, all_waves(orbit.motion), std::optional(ur));
   orbit.admissible = admissible(orbit.conditions);
-  if (orbit.admissible.truth == Truth::proved) {
+  if (is_admissible(orbit)) {
     const bool sticks = std::find(phases.begin(), phases.end(), PhaseKind::stick) != phases.end();
     orbit.stability = stability_of(proof.return_map, sticks);
   }

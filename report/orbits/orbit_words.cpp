@@ -107,8 +107,7 @@ std::string searched(const OrbitQuestion& q) {
 }
 
 std::string result_of_search(const OrbitList& list) {
-  const auto good = std::count_if(list.orbits.begin(), list.orbits.end(),
-                                  [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; });
+  const auto good = std::ranges::count_if(list.orbits, families::is_admissible);
   const std::size_t at_middle = list.open_at_middle;
   std::vector<std::string> parts;
   if (!list.orbits.empty() || at_middle == 0) {
@@ -141,7 +140,7 @@ std::vector<std::string> decisive_conditions(const Orbit& orbit) {
 }
 
 std::string verdict_on(const Orbit& orbit) {
-  if (orbit.admissible.truth == Truth::proved) {
+  if (is_admissible(orbit)) {
     return "admissible";
   }
   const bool refuted = orbit.admissible.truth == Truth::refuted;

@@ -165,8 +165,7 @@ void write_condition(Object& json, const Condition& c) {
 }
 
 void write_admissible(Object& json, const Verdict& admissible) {
-  const bool known = admissible.truth == Truth::proved || admissible.truth == Truth::refuted;
-  json.has_as("admissible", known ? Json(admissible.truth == Truth::proved) : Json(nullptr),
+  json.has_as("admissible", admissible.is_decided() ? Json(admissible.truth == Truth::proved) : Json(nullptr),
               {{"type", {"boolean", "null"}}}, "Whether every condition holds; null when that is undecided.");
 }
 

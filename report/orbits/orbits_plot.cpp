@@ -101,7 +101,7 @@ std::string parameter_text(const OrbitQuestion& question) {
 }
 
 std::string tell(const Orbit& orbit) {
-  return orbit.admissible.truth == Truth::proved    ? "admissible"
+  return is_admissible(orbit)                       ? "admissible"
          : orbit.admissible.truth == Truth::refuted ? "not admissible"
                                                     : "undecided";
 }
@@ -121,11 +121,10 @@ std::string title(const OrbitList& list, std::size_t i) {
 
 // The orbits to draw: the admissible ones, or all if none is, or the one named.
 std::vector<std::size_t> drawn(const OrbitList& list, std::optional<std::size_t> only) {
-  const auto admissible = [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; };
-  const bool any = std::any_of(list.orbits.begin(), list.orbits.end(), admissible);
+  const bool any = std::ranges::any_of(list.orbits, families::is_admissible);
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < list.orbits.size(); ++i) {
-    if (only ? i == *only : !any || admissible(list.orbits[i])) {
+    if (only ? i == *only : !any || is_admissible(list.orbits[i])) {
       found.push_back(i);
     }
   }
