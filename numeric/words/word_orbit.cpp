@@ -180,13 +180,4 @@ WordOrbit prove_word_orbit(const WordQuestion& question, const MachineGuess& see
   return result;
 }
 
-WordOrbit prove_word_orbit(const WordQuestion& question, const Guess& guess) {
-  MachineGuess same{{}, guess.periods};
-  for (const Guess::Event& e : guess.events) {
-    const model::Vector4<double> X(e.x1, e.x2, e.xdot1, scalars::scalar<double>(question.data.V));
-    same.events.push_back({e.t, X, {e.begins}});
-  }
-  return prove_word_orbit(question, same);
-}
-
 }  // namespace stickslip::numeric::words
