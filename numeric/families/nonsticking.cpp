@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/domain.hpp"
 #include "core/error.hpp"
 #include "numeric/families/isolate.hpp"
 #include "numeric/motion/infimum.hpp"
@@ -118,10 +119,7 @@ Found symmetric_ones(const ExactParameters& a) {
 
 // omega_j = k omega: where an orbit may be, as nonsticking.hpp says.
 Found at_resonance(const ExactParameters& a, const Resonances& k) {
-  if (k.first == 1 || k.second == 1) {
-    throw DomainError("omega", stickslip::to_string(a.omega),
-                      "not a natural frequency: omega ≠ omega1, omega2");
-  }
+  require(k.first != 1 && k.second != 1, "omega", a.omega, "not a natural frequency: omega ≠ omega1, omega2");
   Found result;
   if (a.V == 0) {
     if (k.first % 2 == 0 && k.second % 2 == 0) {
@@ -269,12 +267,8 @@ std::vector<Strip> nonsticking_strips(const StripQuestion& q) {
 }
 
 Condition condition(const char * id, const char * statement, const Ball& margin) {
-  Condition result{id, statement, {}, margin, Ball(0), {}};
-  const std::string value = to_string(margin, 10);
-  result.verdict = margin.is_positive() ? Verdict::proved()
-                   : margin.is_negative()
-                       ? Verdict::refuted("the distance is " + value)
-                       : Verdict::undecided("the distance is " + value + ", not separated from zero");
+  Condition result{id, statement, {}, {}, Ball(0), {}};
+  judge(result, margin, true, "the distance");
   return result;
 }
 
