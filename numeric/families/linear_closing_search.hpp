@@ -15,6 +15,16 @@ template <class T>
   return a * d - b * c;
 }
 
+// A problem's data over T, of those that it has, `exact` or `fast`, as lifted<T>() makes them of its data.
+template <class T, class P>
+[[nodiscard]] auto data_over(const P& problem) {
+  if constexpr (std::is_constructible_v<T, scalars::HardwareBall>) {
+    return lifted<T>(problem.fast);
+  } else {
+    return lifted<T>(problem.exact);
+  }
+}
+
 template <class P, class T>
 [[nodiscard]] AllRows<P, T> stacked(const FirstRows<P, T>& first, const OtherRows<P, T>& others) {
   AllRows<P, T> m;
