@@ -75,7 +75,7 @@ std::vector<proofs::methods::Claim> claims_of(const OrbitList& list) {
   using namespace proofs;
   std::vector<methods::Claim> claims;
   for (std::size_t k = 0; k < list.orbits.size(); ++k) {
-    if (list.orbits[k].admissible.truth != Truth::proved) {
+    if (!is_admissible(list.orbits[k])) {
       continue;
     }
     methods::Claim claim{.id = fmt::format("{}.{}", list.question.family->name, k + 1)};

@@ -47,6 +47,9 @@ struct Verdict {
   std::string reason;  // one sentence; empty only for proved
   std::optional<Witness> witness;
 
+  // Proved or refuted.
+  [[nodiscard]] bool is_decided() const { return truth == Truth::proved || truth == Truth::refuted; }
+
   [[nodiscard]] static Verdict proved() { return {Truth::proved, {}, {}}; }
   [[nodiscard]] static Verdict refuted(Witness witness);
   // For statements about numbers, where the balls stand in the reason.

@@ -170,7 +170,7 @@ Orbit decided_orbit(const Family& family, const ClosedMotion& closed, const std:
   orbit.motion = motion;
   orbit.conditions = families::conditions(family, closed, has_stick(family) ? friction : ur);
   orbit.admissible = admissible(orbit.conditions);
-  if (orbit.admissible.truth == Truth::proved) {
+  if (is_admissible(orbit)) {
     orbit.stability = decide_stability(motion);
   }
   return orbit;
@@ -183,13 +183,8 @@ words::WordQuestion machine_of(const OrbitQuestion& question, const Orbit& orbit
 }
 
 bool all_decided(const OrbitList& list) {
-  const auto decided = [](const Condition& c) {
-    return c.verdict.truth == Truth::proved || c.verdict.truth == Truth::refuted;
-  };
   return list.unresolved.empty() &&
-         std::all_of(list.orbits.begin(), list.orbits.end(), [&](const Orbit& orbit) {
-           return std::all_of(orbit.conditions.begin(), orbit.conditions.end(), decided);
-         });
+         std::ranges::all_of(list.orbits, [](const Orbit& orbit) { return all_decided(orbit); });
 }
 
 void require_answerable(const OrbitQuestion& question) {

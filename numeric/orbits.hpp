@@ -18,6 +18,7 @@ using families::all_families;
 using families::asks_for_box;
 using families::Family;
 using families::family_named;
+using families::is_admissible;
 using families::NamedBall;
 using families::Orbit;
 using families::OrbitQuestion;

@@ -27,7 +27,6 @@
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/table.hpp"
 #include "proofs/text/claims_file.hpp"
-#include "python/in_units.hpp"
 #include "report/atlas/archive.hpp"
 #include "report/atlas/summary.hpp"
 #include "report/audit/json.hpp"
@@ -154,7 +153,7 @@ std::string in_these(report::tools::Json json, const report::orbits::Units& unit
 // The same in the units in which it is told.
 template <class Answer>
 std::string fields(const Told<Answer>& t) {
-  return in_these(report::orbits::to_json(in_units(t.answer, t.units)), t.units);
+  return in_these(report::orbits::to_json(t.answer, t.units), t.units);
 }
 
 // Sentences for what was not taken of a machine, and for what else was noticed.
@@ -194,20 +193,16 @@ std::pair<std::string, std::string> decimals(const Enclosure& e) {
 std::tuple<py::dict, py::dict, py::list> orbit(const Told<OrbitList>& t, std::size_t number) {
   const OrbitList& list = t.answer;
   const Orbit& o = list.orbits.at(number);
-  const WorkingPrecision precision(bits_for(list.question.digits));
   const auto kept = [&](const Ball& ball) { return Enclosure{ball, list.question.digits}; };
   py::dict decided;
   py::dict values;
   py::list multipliers;
-  const Truth admissible = o.admissible.truth;
-  decided["admissible"] = admissible == Truth::proved || admissible == Truth::refuted
-                              ? std::optional(admissible == Truth::proved)
-                              : std::nullopt;
+  decided["admissible"] = o.admissible.is_decided() ? std::optional(is_admissible(o)) : std::nullopt;
   if (!o.split.empty()) {
     decided["split"] = o.split;
   }
   for (const NamedBall& value : o.values) {
-    values[value.name.c_str()] = kept(t.units.value(value));
+    values[value.name.c_str()] = kept(t.units.value(value, list.question.digits));
   }
   if (o.stability) {
     decided["stability"] = to_string(o.stability->kind);
@@ -229,17 +224,10 @@ std::string conditions(const Told<OrbitList>& t, std::size_t number) {
 
 // Of the orbit that number has in the list; an object without keys where there is none.
 std::string neighbourhood(const Told<OrbitList>& t, std::size_t number) {
-  Orbit orbit;
-  if (const Orbit& o = t.answer.orbits.at(number); o.neighbourhood) {
-    orbit.values = o.values;
-    orbit.neighbourhood =
-        std::make_shared<machines::Neighbourhood>(report::orbits::in_units(*o.neighbourhood, t.units));
-  }
-  return report::tools::written(orbit,
-                                [&](report::tools::Object& to, const Orbit& o) {
-                                  report::orbits::write_neighbourhood(to, t.answer.question, o);
-                                })
-      .dump();
+  const auto write = [&](report::tools::Object& to, const Orbit& o) {
+    report::orbits::write_neighbourhood(to, t.answer.question, o, t.units);
+  };
+  return report::tools::written(t.answer.orbits.at(number), write).dump();
 }
 
 using report::orbits::PureWord;
@@ -256,7 +244,7 @@ Told<PureWord> pure_word(const Asking& asking, const Conduct& conduct) {
 }
 
 std::string fields_of_pure_word(const Told<PureWord>& t) {
-  const WorkingPrecision precision(bits_for(t.answer.machine.digits));
+  const WorkingPrecision precision(report::orbits::Units::bits_for(t.answer.machine.digits));
   return in_these(report::orbits::to_json(t.answer, t.units), t.units);
 }
 

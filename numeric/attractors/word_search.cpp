@@ -122,7 +122,7 @@ WordOrbits all_of(const WordSearch& q) {
     const bool is_shorter = found.periods != q.periods;
     if (!is_shorter &&
         std::ranges::none_of(list.orbits, [&](const WordOrbit& one) { return may_be_same(one, found); })) {
-      if (result.complete() && found.orbit.admissible.truth == Truth::proved) {
+      if (result.complete() && is_admissible(found.orbit)) {
         throw InternalError("a complete list lacks an orbit of " + q.word.letters());
       }
       result.orbits.push_back(found);

@@ -275,8 +275,8 @@ std::vector<zeros::UnresolvedBox<3>> Search::rest_of(const Strip& strip, const z
     }
     return view->rest;
   };
-  const auto decide = [](const StripBox&) {
-    return zeros::Decision<3>{std::nullopt, false, "the search went to the end of its accuracy"};
+  const auto decide = [](const StripBox& X) {
+    return zeros::ZeroProof<3>{Verdict::undecided("the search went to the end of its accuracy"), X, X};
   };
   zeros::SearchResult<3> searched = zeros::search<3>(cell, contract, decide, {smallest, most_cells});
   all_.cells += searched.cells;

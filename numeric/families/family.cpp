@@ -28,6 +28,14 @@ const Ball& Orbit::value(const std::string& name) const {
   return found->value;
 }
 
+bool is_admissible(const Orbit& orbit) {
+  return orbit.admissible.truth == Truth::proved;
+}
+
+bool all_decided(const Orbit& orbit) {
+  return std::ranges::all_of(orbit.conditions, [](const Condition& c) { return c.verdict.is_decided(); });
+}
+
 bool is_stable(const Orbit& orbit) {
   return orbit.stability && orbit.stability->kind == StabilityKind::stable;
 }

@@ -87,7 +87,7 @@ template <class Zero, int N, class Equations, class Conclude, class Halved = zer
   }
   list.cells = result.cells;
   std::sort(result.zeros.begin(), result.zeros.end(),
-            [](const auto& x, const auto& y) { return x.zero(0).approximate() < y.zero(0).approximate(); });
+            [](const auto& x, const auto& y) { return x.box(0).approximate() < y.box(0).approximate(); });
   const WorkingPrecision scope(guess_bits);
   conclude_all(result.zeros, conclude, list.candidates, list.unresolved);
   return list;

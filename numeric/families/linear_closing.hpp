@@ -69,7 +69,7 @@ struct LinearEliminant {
   [[nodiscard]] static std::optional<LinearEliminant> near(const P& problem, const Box& X);
   // The part of X that may hold a motion that closes; exactly one in a box that contains X, or none in X.
   [[nodiscard]] static std::optional<Box> contract(const P& problem, const Box& X);
-  [[nodiscard]] static zeros::Decision<P::times> decide(const P& problem, const Box& X);
+  [[nodiscard]] static zeros::ZeroProof<P::times> decide(const P& problem, const Box& X);
 
   [[nodiscard]] Box operator()(const Box& x) const { return at<Ball>(x); }
   [[nodiscard]] Unknowns<P, Jet> operator()(const Unknowns<P, Jet>& x) const { return at<Jet>(x); }

@@ -15,6 +15,16 @@ template <class T>
   return a * d - b * c;
 }
 
+// A problem's data over T, of those that it has, `exact` or `fast`, as lifted<T>() makes them of its data.
+template <class T, class P>
+[[nodiscard]] auto data_over(const P& problem) {
+  if constexpr (std::is_constructible_v<T, scalars::HardwareBall>) {
+    return lifted<T>(problem.fast);
+  } else {
+    return lifted<T>(problem.exact);
+  }
+}
+
 template <class P, class T>
 [[nodiscard]] AllRows<P, T> stacked(const FirstRows<P, T>& first, const OtherRows<P, T>& others) {
   AllRows<P, T> m;
@@ -276,14 +286,14 @@ auto LinearEliminant<P>::contract(const P& problem, const Box& X) -> std::option
 }
 
 template <class P>
-zeros::Decision<P::times> LinearEliminant<P>::decide(const P& problem, const Box& X) {
+zeros::ZeroProof<P::times> LinearEliminant<P>::decide(const P& problem, const Box& X) {
   const auto f = near(problem, X);
   if (!f) {
-    return {std::nullopt, false, dependent};
+    return {Verdict::undecided(dependent), X, X};
   }
-  zeros::Decision<P::times> decision = zeros::KrawczykDecider<P::times, LinearEliminant<P>>{*f}(X);
-  if (decision.found && !f->linear(decision.found->zero)) {
-    return {std::nullopt, false, "the load's phase may be undetermined"};
+  zeros::ZeroProof<P::times> decision = zeros::decide_by_krawczyk<P::times>(*f, X);
+  if (decision.verdict.truth == Truth::proved && !f->linear(decision.box)) {
+    decision.verdict = Verdict::undecided("the load's phase may be undetermined");
   }
   return decision;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/domain.hpp"
 #include "core/error.hpp"
 #include "numeric/families/isolate.hpp"
 #include "numeric/motion/infimum.hpp"
@@ -118,10 +119,7 @@ Found symmetric_ones(const ExactParameters& a) {
 
 // omega_j = k omega: where an orbit may be, as nonsticking.hpp says.
 Found at_resonance(const ExactParameters& a, const Resonances& k) {
-  if (k.first == 1 || k.second == 1) {
-    throw DomainError("omega", stickslip::to_string(a.omega),
-                      "not a natural frequency: omega ≠ omega1, omega2");
-  }
+  require(k.first != 1 && k.second != 1, "omega", a.omega, "not a natural frequency: omega ≠ omega1, omega2");
   Found result;
   if (a.V == 0) {
     if (k.first % 2 == 0 && k.second % 2 == 0) {
@@ -171,9 +169,9 @@ struct Searched {
   Scaled g;
 
   [[nodiscard]] std::optional<Box<2>> contract(const Box<2>& X) const {
-    return KrawczykContractor<2, Scaled>{g}(X);
+    return contract_by_krawczyk<2>(g, X);
   }
-  [[nodiscard]] Decision<2> decide(const Box<2>& X) const { return KrawczykDecider<2, Scaled>{g}(X); }
+  [[nodiscard]] ZeroProof<2> decide(const Box<2>& X) const { return decide_by_krawczyk<2>(g, X); }
   [[nodiscard]] std::optional<Unresolved> left_open(const UnresolvedBox<2>& open) const {
     if ((open.box(0) - Ball(1)).is_positive()) {
       return std::nullopt;
@@ -189,8 +187,8 @@ Scaled scaled(const ExactParameters& a) {
 }
 
 // The zero, refined, as a motion to be proved, if it is inside.
-Concluded<Candidate> conclude(const ExactParameters& a, const FoundZero<2>& found) {
-  const Box<2> x = refine<2>([&] { return scaled(a); }, found.zero, guess_bits);
+Concluded<Candidate> conclude(const ExactParameters& a, const ZeroProof<2>& found) {
+  const Box<2> x = refine<2>([&] { return scaled(a); }, found.box, guess_bits);
   const TwoSlips f = scaled(a).f;
   const std::vector<NamedBall> where = tau_and_phi(f, x);
   return concluded<Candidate>(place(x(0)), where, [&] {
@@ -244,7 +242,7 @@ Found search_nonsticking(const Given<Rational>& given) {
   }
   result = isolate<Candidate, 2>(
       {{0, mu_first}, {delta_last, mu_last}}, {0x1p-30, 200000}, [&] { return Searched{scaled(a)}; },
-      [&](const FoundZero<2>& zero) { return conclude(a, zero); });
+      [&](const ZeroProof<2>& zero) { return conclude(a, zero); });
   sort_out(result.candidates);
   return result;
 }
@@ -269,12 +267,8 @@ std::vector<Strip> nonsticking_strips(const StripQuestion& q) {
 }
 
 Condition condition(const char * id, const char * statement, const Ball& margin) {
-  Condition result{id, statement, {}, margin, Ball(0), {}};
-  const std::string value = to_string(margin, 10);
-  result.verdict = margin.is_positive() ? Verdict::proved()
-                   : margin.is_negative()
-                       ? Verdict::refuted("the distance is " + value)
-                       : Verdict::undecided("the distance is " + value + ", not separated from zero");
+  Condition result{id, statement, {}, {}, Ball(0), {}};
+  judge(result, margin, true, "the distance");
   return result;
 }
 

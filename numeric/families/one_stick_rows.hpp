@@ -14,16 +14,6 @@ OneStickData<T> lifted(const OneStickData<S>& data) {
   return {model::lift<T>(data.d), T(data.given)};
 }
 
-// A problem's data over T, of those that it has.
-template <class T, class P>
-auto data_over(const P& problem) {
-  if constexpr (std::is_constructible_v<T, scalars::HardwareBall>) {
-    return lifted<T>(problem.fast);
-  } else {
-    return lifted<T>(problem.exact);
-  }
-}
-
 // tau and tau1 for the halves of a motion: of three phases tau is all of them.
 template <class T, int N>
 std::pair<T, T> both_times(const Eigen::Matrix<T, N, 1>& t) {

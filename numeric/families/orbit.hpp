@@ -68,8 +68,10 @@ struct Orbit {
   [[nodiscard]] const Ball& value(const std::string& name) const;
 };
 
-// Proved to be admissible and stable.
+// Each of its conditions is proved; and it is stable; each is proved or refuted.
+[[nodiscard]] bool is_admissible(const Orbit& orbit);
 [[nodiscard]] bool is_stable(const Orbit& orbit);
+[[nodiscard]] bool all_decided(const Orbit& orbit);
 
 // A part of the search's domain that it could not decide.
 struct Unresolved {

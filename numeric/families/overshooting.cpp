@@ -1,5 +1,6 @@
 #include "numeric/families/overshooting.hpp"
 
+#include "core/domain.hpp"
 #include "core/error.hpp"
 #include "numeric/families/through_phases.hpp"
 
@@ -15,12 +16,9 @@ Found search_overshooting(const Given<Rational>& given) {
   const ExactParameters& a = given.data;
   require_stick_slip_domain(a);
   const bool phi_given = given.phi.has_value();
-  if (!phi_given && a.p == 0) {
-    throw DomainError("p", stickslip::to_string(a.p),
-                      "p > 0 when ur is given and the load's phase is unknown");
-  }
-  if (!phi_given && *given.ur <= 0) {
-    throw DomainError("ur", stickslip::to_string(*given.ur), "ur > 0");
+  if (!phi_given) {
+    require(a.p != 0, "p", a.p, "p > 0 when ur is given and the load's phase is unknown");
+    require(*given.ur > 0, "ur", *given.ur, "ur > 0");
   }
   const FoundOf<Isolated> found = closed_through({given, overshooting().phases});
   Found list{{}, found.unresolved, {}, found.cells};

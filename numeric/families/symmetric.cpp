@@ -91,14 +91,14 @@ struct Searched {
         (at_end && excluded_before_end(f.data, zeros.resonant, tau))) {
       return std::nullopt;
     }
-    return KrawczykContractor<1, SymmetricEliminant>{f}(X);
+    return contract_by_krawczyk<1>(f, X);
   }
   // A zero of the eliminant is an orbit when C can be had from a row.
-  [[nodiscard]] Decision<1> decide(const Vector1& X) const {
-    const Decision<1> decision = KrawczykDecider<1, SymmetricEliminant>{f}(X);
-    if (decision.found && !amplitude(f.data, f.data.Theta * decision.found->zero(0))) {
-      return {std::nullopt, false,
-              "the amplitude $C$ cannot be eliminated: both of its coefficients may vanish here"};
+  [[nodiscard]] ZeroProof<1> decide(const Vector1& X) const {
+    ZeroProof<1> decision = decide_by_krawczyk<1>(f, X);
+    if (decision.verdict.truth == Truth::proved && !amplitude(f.data, f.data.Theta * decision.box(0))) {
+      decision.verdict = Verdict::undecided(
+          "the amplitude $C$ cannot be eliminated: both of its coefficients may vanish here");
     }
     return decision;
   }
@@ -108,9 +108,9 @@ struct Searched {
 };
 
 // The zero refined and looked at: an orbit of the list, outside the domain, or at its very end.
-Concluded<Candidate> conclude(const ExactParameters& a, LoadPhase phase, const FoundZero<1>& found) {
+Concluded<Candidate> conclude(const ExactParameters& a, LoadPhase phase, const ZeroProof<1>& found) {
   const auto here = [&] { return SymmetricEliminant{symmetric_data(a, phase)}; };
-  const Vector1 u = refine<1>(here, found.zero, guess_bits);
+  const Vector1 u = refine<1>(here, found.box, guess_bits);
   const Data data = here().data;
   const Ball tau = data.Theta * u(0);
   const std::vector<NamedBall> where = tau_and_phi(data, tau);
@@ -118,8 +118,8 @@ Concluded<Candidate> conclude(const ExactParameters& a, LoadPhase phase, const F
     const Closing equations = SymmetricClosing{phase};
     Vector tau_C(2);
     tau_C << tau, *amplitude(data, tau);
-    const auto is_same = [found](const Motion& motion) {
-      return found.unique(0).contains(motion.phases[0].duration / period(motion));
+    const auto is_same = [unique = found.unique](const Motion& motion) {
+      return unique(0).contains(motion.phases[0].duration / period(motion));
     };
     return Candidate{
         {equations.motion<Ball>(tau_C, equations.parameters({parameters_as<Ball>(a)})), where, is_same},
@@ -134,7 +134,7 @@ void search_phase(const ExactParameters& a, LoadPhase phase, const EndZeros& zer
       [&] {
         return Searched{{symmetric_data(a, phase)}, zeros};
       },
-      [&](const FoundZero<1>& zero) { return conclude(a, phase, zero); });
+      [&](const ZeroProof<1>& zero) { return conclude(a, phase, zero); });
   std::ranges::move(found.candidates, std::back_inserter(result.candidates));
   std::ranges::move(found.unresolved, std::back_inserter(result.unresolved));
   result.cells += found.cells;

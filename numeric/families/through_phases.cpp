@@ -99,7 +99,9 @@ struct Searched {
     }
     return LinearEliminant<P>::contract(equations, X);
   }
-  [[nodiscard]] Decision<N> decide(const Box<N>& X) const { return LinearEliminant<P>::decide(equations, X); }
+  [[nodiscard]] ZeroProof<N> decide(const Box<N>& X) const {
+    return LinearEliminant<P>::decide(equations, X);
+  }
   [[nodiscard]] std::optional<Unresolved> left_open(const UnresolvedBox<N>& open) const {
     const bool reaches_end = N == 2 && !at_end.empty() && !(open.box(0) - Ball(1)).is_negative();
     return Unresolved{named(equations, open.box), reaches_end ? at_end : open.reason};
@@ -158,11 +160,11 @@ Box<N> durations_of(const Motion& motion) {
 
 // The zero as a motion, or left open; outside the domain it is neither.
 template <class P>
-Concluded<Isolated> conclude(const ThroughPhases& q, const FoundZero<P::times>& found) {
+Concluded<Isolated> conclude(const ThroughPhases& q, const ZeroProof<P::times>& found) {
   constexpr int N = P::times;
-  const auto near = LinearEliminant<P>::near(equations_of<P>(q), found.zero);
+  const auto near = LinearEliminant<P>::near(equations_of<P>(q), found.box);
   const auto recipe = [&] { return LinearEliminant<P>{equations_of<P>(q), near->combinations}; };
-  const Box<N> x = refine<N>(recipe, found.zero, guess_bits);
+  const Box<N> x = refine<N>(recipe, found.box, guess_bits);
   const LinearEliminant<P> f = recipe();
   Place all = Place::inside;
   for (const Ball& share : x) {
@@ -197,7 +199,7 @@ FoundOf<Isolated> all_of(const ThroughPhases& q, const SearchLimits& limits) {
       [&] {
         return Searched<P>{equations_of<P>(q), lawful_only, reason_at_end(q)};
       },
-      [&](const FoundZero<N>& found) { return conclude<P>(q, found); }, halved<N>);
+      [&](const ZeroProof<N>& found) { return conclude<P>(q, found); }, halved<N>);
 }
 
 }  // namespace

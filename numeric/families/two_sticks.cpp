@@ -8,21 +8,12 @@ namespace stickslip::numeric::families {
 
 using scalars::HardwareBall;
 
-namespace {
-
 template <class T, class S>
 TwoSticksData<T> lifted(const TwoSticksData<S>& d) {
   return {model::lift<T>(d.a), model::lift<T>(d.m), T(d.ur), T(d.total), d.sign};
 }
 
-template <class T>
-TwoSticksData<T> data_over(const TwoSticks& problem) {
-  if constexpr (std::is_constructible_v<T, HardwareBall>) {
-    return lifted<T>(problem.fast);
-  } else {
-    return lifted<T>(problem.exact);
-  }
-}
+namespace {
 
 // t, T1, t', T2.
 template <class T>

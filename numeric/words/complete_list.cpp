@@ -9,6 +9,7 @@
 #include "numeric/families/isolate.hpp"
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/through_phases.hpp"
+#include "numeric/machines/machine_orbit.hpp"
 
 namespace stickslip::numeric::words {
 
@@ -35,13 +36,15 @@ long turns(const Word& word) {
   return sticks(word) ? 0 : static_cast<long>(word.size()) / 2;
 }
 
-Guess guess_of(const Motion& motion, long periods) {
+machines::MachineGuess guess_of(const Motion& motion, long periods) {
   const model::Oscillator<Ball>& o = motion.oscillator;
-  Guess guess{{}, periods};
+  machines::MachineGuess guess{{}, periods};
   const double begin = Ball(motion.phases.front().load / o.data.omega).approximate();
   for (const Phase& phase : motion.phases) {
-    guess.events.push_back({begin + phase.start.approximate(), Ball(phase.Z(0) + o.d0(0)).approximate(),
-                            Ball(phase.Z(1) + o.d0(1)).approximate(), phase.Z(2).approximate(), phase.kind});
+    const model::Vector4<double> X(Ball(phase.Z(0) + o.d0(0)).approximate(),
+                                   Ball(phase.Z(1) + o.d0(1)).approximate(), phase.Z(2).approximate(),
+                                   o.data.V.approximate());
+    guess.events.push_back({begin + phase.start.approximate(), X, {phase.kind}});
   }
   return guess;
 }
@@ -142,8 +145,7 @@ WordList all_without_stick(const WordQuestion& question, const Word& word, long 
 // Whether OS is proved to have an orbit that obeys the law.
 bool has_orbit(const WordQuestion& question) {
   const WordList list = all_without_stick(question, Word::parse("OS"), 1);
-  return std::any_of(list.orbits.begin(), list.orbits.end(),
-                     [](const WordOrbit& o) { return o.orbit.admissible.truth == Truth::proved; });
+  return std::ranges::any_of(list.orbits, families::is_admissible, &WordOrbit::orbit);
 }
 
 }  // namespace

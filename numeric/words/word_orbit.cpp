@@ -62,12 +62,6 @@ Motion motion_of(const WordQuestion& question, const MachineQuestion& chain, con
   return motion;
 }
 
-bool all_decided(const families::Orbit& orbit) {
-  return std::all_of(orbit.conditions.begin(), orbit.conditions.end(), [](const Condition& c) {
-    return c.verdict.truth == Truth::proved || c.verdict.truth == Truth::refuted;
-  });
-}
-
 bool is_open(const families::Orbit& orbit) {
   return !all_decided(orbit) || (orbit.stability && orbit.stability->kind == StabilityKind::undecided);
 }
@@ -83,7 +77,7 @@ families::Orbit decided(const WordQuestion& question, const MachineQuestion& cha
   orbit.conditions =
       decide_all(phases, requirements, orbit.motion, all_waves(orbit.motion), std::optional(ur));
   orbit.admissible = admissible(orbit.conditions);
-  if (orbit.admissible.truth == Truth::proved) {
+  if (is_admissible(orbit)) {
     const bool sticks = std::find(phases.begin(), phases.end(), PhaseKind::stick) != phases.end();
     orbit.stability = stability_of(proof.return_map, sticks);
   }
@@ -184,15 +178,6 @@ WordOrbit prove_word_orbit(const WordQuestion& question, const MachineGuess& see
   }
   result.existence = existence;
   return result;
-}
-
-WordOrbit prove_word_orbit(const WordQuestion& question, const Guess& guess) {
-  MachineGuess same{{}, guess.periods};
-  for (const Guess::Event& e : guess.events) {
-    const model::Vector4<double> X(e.x1, e.x2, e.xdot1, scalars::scalar<double>(question.data.V));
-    same.events.push_back({e.t, X, {e.begins}});
-  }
-  return prove_word_orbit(question, same);
 }
 
 }  // namespace stickslip::numeric::words

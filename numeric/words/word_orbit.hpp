@@ -22,16 +22,6 @@ struct WordQuestion {
   long most_bits = 1L << 14;  // that a proof is tried with
 };
 
-// A motion over n periods of the load, nearly closed, in floating point.
-struct Guess {
-  struct Event {
-    double t, x1, x2, xdot1;
-    motion::PhaseKind begins;
-  };
-  std::vector<Event> events;  // in their order, over less than n periods
-  long periods = 1;           // n
-};
-
 struct WordOrbit {
   Word word;
   long periods = 1;   // n, the least: the orbit is no repetition of a shorter one
@@ -52,11 +42,10 @@ void require_word_domain(const WordQuestion& question);
 void require_simulated_domain(const WordQuestion& question);
 [[nodiscard]] bool in_word_domain(const WordQuestion& question);
 
-// Proves the orbit that Newton's method reaches from the guess. When that is a shorter orbit taken several
-// times, the shorter one. A condition or the stability that the asked digits leave undecided is looked at
-// with more. Throws as require_word_domain and Word::of do.
-[[nodiscard]] WordOrbit prove_word_orbit(const WordQuestion& question, const Guess& guess);
-// Likewise, of the same oscillator as a machine.
+// Proves the orbit that Newton's method reaches from the guess, a motion over n periods of the load that
+// nearly closes, its events over less than these; how long it lasts follows. When that is a shorter orbit
+// taken several times, the shorter one. A condition or the stability that the asked digits leave undecided is
+// looked at with more. Throws as require_word_domain and Word::of do.
 [[nodiscard]] WordOrbit prove_word_orbit(const WordQuestion& question, const machines::MachineGuess& guess);
 
 }  // namespace stickslip::numeric::words

@@ -78,25 +78,10 @@ template <int N>
   return true;
 }
 
-// A zero in `zero`, the only one in `unique`.
-template <int N>
-struct FoundZero {
-  Box<N> zero;
-  Box<N> unique;
-};
-
 template <int N>
 struct UnresolvedBox {
   Box<N> box;
   std::string reason;
-};
-
-// What a decider says of a box.
-template <int N>
-struct Decision {
-  std::optional<FoundZero<N>> found;  // exactly one zero in a box that contains the one asked about
-  bool empty = false;                 // no zero in the box asked about
-  std::string reason;                 // why neither
 };
 
 struct SearchLimits {
@@ -106,7 +91,7 @@ struct SearchLimits {
 
 template <int N>
 struct SearchResult {
-  std::vector<FoundZero<N>> zeros;           // pairwise different
+  std::vector<ZeroProof<N>> zeros;           // pairwise different
   std::vector<UnresolvedBox<N>> unresolved;  // neighbours with the same reason joined
   long cells = 0;                            // examined
 
@@ -150,7 +135,7 @@ struct LongestSide {
 template <int N>
 struct Examined {
   std::optional<Cell<N>> rest;  // the part that may hold zeros
-  Decision<N> decision;         // about it
+  ZeroProof<N> decision;        // about it
   bool interrupted = false;     // before anything was done
 };
 
@@ -160,13 +145,13 @@ inline constexpr long batch = 32;
 // Adds a zero unless it is one that is known. Two proofs are of the same zero when the enclosure of one lies
 // where the other is unique; they are of different zeros when their enclosures are disjoint.
 template <int N>
-void record(SearchResult<N>& result, const FoundZero<N>& found) {
-  for (const FoundZero<N>& known : result.zeros) {
-    if (contains<N>(known.unique, found.zero) || contains<N>(found.unique, known.zero)) {
+void record(SearchResult<N>& result, const ZeroProof<N>& found) {
+  for (const ZeroProof<N>& known : result.zeros) {
+    if (contains<N>(known.unique, found.box) || contains<N>(found.unique, known.box)) {
       return;
     }
-    if (intersection<N>(known.zero, found.zero)) {
-      result.unresolved.push_back({found.zero, "two proved zeros could not be distinguished"});
+    if (intersection<N>(known.box, found.box)) {
+      result.unresolved.push_back({found.box, "two proved zeros could not be distinguished"});
       return;
     }
   }
@@ -190,10 +175,11 @@ void leave_open(SearchResult<N>& result, const Box<N>& box, const std::string& r
 }  // namespace detail
 
 // Every zero in the domain; after an interruption (core/interruption.hpp) the cells that are still open are
-// left unresolved. contract: Box<N> -> optional<Box<N>>; decide: Box<N> -> Decision<N>; both are called from
-// several threads at once. A zero of the result may lie just outside the domain, where its enclosure reaches
-// across the boundary: the caller refines it and looks. halved: Cell<N> -> which side is to be halved; the
-// longest one is where that is below the smallest.
+// left unresolved. contract: Box<N> -> optional<Box<N>>; decide: Box<N> -> ZeroProof<N>, proved: of exactly
+// one zero in a box that contains the one asked about; refuted: the one asked about has none; both are called
+// from several threads at once. A zero of the result may lie just outside the domain, where its enclosure
+// reaches across the boundary: the caller refines it and looks. halved: Cell<N> -> which side is to be
+// halved; the longest one is where that is below the smallest.
 template <int N, class Contract, class Decide, class Halved = detail::LongestSide<N>>
 [[nodiscard]] SearchResult<N> search(const Cell<N>& domain, const Contract& contract, const Decide& decide,
                                      const SearchLimits& limits = {}, const Halved& halved = {}) {
@@ -215,10 +201,12 @@ template <int N, class Contract, class Decide, class Halved = detail::LongestSid
     if (!cell || is_known(*cell)) {
       return {};
     }
-    Decision<N> decision{{}, false, no_progress};
+    ZeroProof<N> decision{Verdict::undecided(no_progress), {}, {}};
     if (detail::shrunk<N>(*cell, whole, limits.smallest)) {
       decision = decide(to_box<N>(*cell));
-      decision.reason = detail::shrunk<N>(*cell, whole, 0) ? decision.reason : no_progress;
+      if (!detail::shrunk<N>(*cell, whole, 0)) {
+        decision.verdict.reason = no_progress;
+      }
     }
     return {cell, decision};
   };
@@ -228,16 +216,16 @@ template <int N, class Contract, class Decide, class Halved = detail::LongestSid
       return;
     }
     const Cell<N>& cell = *examined.rest;
-    const Decision<N>& decision = examined.decision;
+    const Verdict& decided = examined.decision.verdict;
     if (examined.interrupted) {
       detail::leave_open<N>(result, to_box<N>(cell), was_interrupted);
       return;
     }
-    if (decision.found) {
-      detail::record<N>(result, *decision.found);
-      unique.push_back(inside<N>(decision.found->unique));
+    if (decided.truth == Truth::proved) {
+      detail::record<N>(result, examined.decision);
+      unique.push_back(inside<N>(examined.decision.unique));
     }
-    if (decision.found || decision.empty) {
+    if (decided.truth == Truth::proved || decided.truth == Truth::refuted) {
       return;
     }
     const auto is_small = [&](std::size_t side) {
@@ -246,7 +234,7 @@ template <int N, class Contract, class Decide, class Halved = detail::LongestSid
     const std::size_t proposed = halved(cell);
     const std::size_t i = is_small(proposed) ? detail::longest_side<N>(cell) : proposed;
     if (is_small(i)) {
-      detail::leave_open<N>(result, to_box<N>(cell), decision.reason);
+      detail::leave_open<N>(result, to_box<N>(cell), decided.reason);
       return;
     }
     const double middle = cell.lower[i] + (cell.upper[i] - cell.lower[i]) / 2;
@@ -310,39 +298,26 @@ template <int N, class S>
   return X;
 }
 
-// The contractor and the decider that Krawczyk's operator gives for f (see krawczyk.hpp).
+// The contractor and the decider that Krawczyk's operator gives for f (see krawczyk.hpp). By the sign of f,
+// by each equation's mean value form, and by the operator; by its test of a box a little larger than X.
 template <int N, class F>
-struct KrawczykContractor {
-  F f;
-
-  // By the sign of f, by each equation's mean value form, and by Krawczyk's operator.
-  [[nodiscard]] std::optional<Box<N>> operator()(const Box<N>& X) const {
-    const auto [value, slope] = linearise<Ball, N>(f, X);
-    const Box<N> m = midpoint<N>(X);
-    const Box<N> at_m = f(m);
-    std::optional<Box<N>> rest = X;
-    for (int i = 0; i < N && rest; ++i) {
-      rest = value(i).is_nonzero() ? std::nullopt : contract_by<N, Ball>(at_m(i), slope.row(i), m, *rest);
-    }
-    if (!rest) {
-      return std::nullopt;
-    }
-    const std::optional<Box<N>> K = krawczyk_image<N>(m, at_m, slope, X);
-    return K ? intersection<N>(*K, *rest) : rest;
+[[nodiscard]] std::optional<Box<N>> contract_by_krawczyk(const F& f, const Box<N>& X) {
+  const auto [value, slope] = linearise<Ball, N>(f, X);
+  const Box<N> m = midpoint<N>(X);
+  const Box<N> at_m = f(m);
+  std::optional<Box<N>> rest = X;
+  for (int i = 0; i < N && rest; ++i) {
+    rest = value(i).is_nonzero() ? std::nullopt : contract_by<N, Ball>(at_m(i), slope.row(i), m, *rest);
   }
-};
-
+  if (!rest) {
+    return std::nullopt;
+  }
+  const std::optional<Box<N>> K = krawczyk_image<N>(m, at_m, slope, X);
+  return K ? intersection<N>(*K, *rest) : rest;
+}
 template <int N, class F>
-struct KrawczykDecider {
-  F f;
-
-  [[nodiscard]] Decision<N> operator()(const Box<N>& X) const {
-    const ZeroProof<N> proof = krawczyk_test<N>(f, inflate<N>(X, 1.25));
-    if (proof.verdict.truth == Truth::proved) {
-      return {FoundZero<N>{proof.box, proof.unique}, false, {}};
-    }
-    return {std::nullopt, proof.verdict.truth == Truth::refuted, proof.verdict.reason};
-  }
-};
+[[nodiscard]] ZeroProof<N> decide_by_krawczyk(const F& f, const Box<N>& X) {
+  return krawczyk_test<N>(f, inflate<N>(X, 1.25));
+}
 
 }  // namespace stickslip::numeric::zeros

@@ -183,10 +183,6 @@ std::string shown(const Ball& ball) {
   return fmt::format("{} ± {}", text.mid, text.rad);
 }
 
-bool is_admissible(const Orbit& orbit) {
-  return orbit.admissible.truth == Truth::proved;
-}
-
 std::string told_apart(const Orbit& orbit, const Family& family) {
   std::string result;
   for (const std::string name : {"tau", "tau1", "phi", "ur"}) {
@@ -335,9 +331,8 @@ Claim computed_from(const Example& example, const std::string& name, const std::
             Outcome outcome = at_the_data(example, formula + " at the printed decimals, in balls");
             outcome.comparisons = {compared(name, printed, computed)};
             outcome.verdict = outcome.comparisons.front().verdict;
-            const Truth truth = outcome.verdict.truth;
-            if (truth == Truth::proved || truth == Truth::refuted) {
-              prove(outcome, [&] { return theorem(printed, truth == Truth::proved); });
+            if (const Verdict& verdict = outcome.verdict; verdict.is_decided()) {
+              prove(outcome, [&] { return theorem(printed, verdict.truth == Truth::proved); });
             }
             return outcome;
           }};

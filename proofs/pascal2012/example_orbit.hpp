@@ -16,8 +16,6 @@ namespace stickslip::proofs::pascal2012 {
 // The first six digits, "7.74669...", if the ball is known so well; else as shown().
 [[nodiscard]] std::string digits_of(const Ball& ball);
 
-// Whether every condition along the motion is proved.
-[[nodiscard]] bool is_admissible(const numeric::Orbit& orbit);
 // "tau = 7.74669..., u_r = 0.161022...": what tells one orbit of a list from another.
 [[nodiscard]] std::string told_apart(const numeric::Orbit& orbit, const numeric::Family& family);
 

@@ -215,7 +215,7 @@ void write(Object& json, const Diagram& result) {
   orbits::write_points(
       json, result.points,
       "States when the load's phase is 0, one period apart; without a load where a phase begins.",
-      [digits](Object& one, const MachineAttractor& a) { write_attractor(one, a, digits); });
+      [digits](Object& one, const MachineAttractor& a, const auto&) { write_attractor(one, a, digits); });
 }
 
 void write(Object& json, const Basins& b) {

@@ -40,14 +40,9 @@ Json frame(const std::string& title, const auto& result) {
 }
 
 std::string durations(const MachineOrbit& orbit, const Seen& seen) {
-  constexpr std::size_t most = 16;
-  std::string text;
-  for (std::size_t k = 0; k < std::min(orbit.phases.size(), most); ++k) {
-    const MachinePhase& phase = orbit.phases[k];
-    text += fmt::format("{}{} {}", k == 0 ? "" : ", ", seen.name(phase.piece), rounded(phase.duration, 10));
-  }
-  return text + (seen.in_SI ? " s" : "") +
-         (orbit.phases.size() > most ? fmt::format(", and {} more", orbit.phases.size() - most) : "");
+  return orbits::durations_in_words(orbit.phases, seen.in_SI ? " s" : "", [&](const MachinePhase& phase) {
+    return fmt::format("{} {}", seen.name(phase.piece), rounded(phase.duration, 10));
+  });
 }
 
 // A motion with what is known of it, and its portrait: over its period; of one that is not proved over some

@@ -130,6 +130,11 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
 
 namespace {
 
+// Along a parameter in SI units, each value has its own.
+Units units_of(const DiagramPoint& point, const Units& units) {
+  return point.taken ? Units(*point.taken) : units;
+}
+
 // The data except for the one that varies.
 std::string others(const DiagramQuestion& q) {
   auto all = named_parameters(q.machine.machine);
@@ -157,11 +162,9 @@ std::vector<ToldEnding> told(const std::vector<Attractor>& all) {
   return endings;
 }
 
-// Along a parameter in SI units, each value has its own.
 ToldAlong told(const Diagram& d, const Units& units) {
   const DiagramQuestion& q = d.question;
-  const auto units_at = [&](const DiagramPoint& point) { return point.taken ? Units(*point.taken) : units; };
-  const Units first = d.points.empty() ? units : units_at(d.points.front());
+  const Units first = d.points.empty() ? units : units_of(d.points.front(), units);
   ToldAlong result{{{{{"parameters"}, {q.taken ? "of the machine, except for " + q.parameter : others(q)}}},
                     q.taken ? first.machine_or("the machine", q.parameter) : in_greek(others(q)),
                     coordinates_in(first),
@@ -176,7 +179,7 @@ ToldAlong told(const Diagram& d, const Units& units) {
                    {},
                    d.interrupted};
   for (const DiagramPoint& point : d.points) {
-    const std::vector<Coordinate> here = coordinates_in(units_at(point));
+    const std::vector<Coordinate> here = coordinates_in(units_of(point, units));
     result.points.push_back({point.value, point.outside, told(point.attractors), {}});
     for (const auto& states : point.once) {
       result.points.back().once.emplace_back();
@@ -205,7 +208,7 @@ ToldPlane told(const Basins& b, const Units& units) {
 
 namespace {
 
-void write_diagram(Object& json, const Diagram& d) {
+void write_diagram(Object& json, const Diagram& d, const Units& units) {
   const DiagramQuestion& q = d.question;
   write_origin(json, command_of(q));
   json.has("along", q.parameter, one_of({"chi", "eta", "us", "V", "omega", "p", "ur"}));
@@ -214,33 +217,40 @@ void write_diagram(Object& json, const Diagram& d) {
   json.has("seed", q.machine.seed);
   json.has("most_periods", q.machine.most_periods, {{"minimum", 1}});
   json.has("interrupted", d.interrupted, "Fewer points than were asked for.");
-  write_points(json, d.points, "States when the load's phase is 0, one period apart.",
-               [digits = q.machine.machine.digits](Object& one, const Attractor& a) {
-                 write_attractor(one, a, digits);
+  std::vector<DiagramPoint> points = d.points;
+  for (DiagramPoint& point : points) {
+    for (auto& states : point.once) {
+      std::ranges::transform(states, states.begin(),
+                             [here = units_of(point, units)](const auto& X) { return here.state(X); });
+    }
+  }
+  write_points(json, points, "States when the load's phase is 0, one period apart.",
+               [&](Object& one, const Attractor& a, const DiagramPoint& point) {
+                 write_attractor(one, a, q.machine.machine.digits, units_of(point, units));
                });
 }
 
-void write_basins(Object& json, const Basins& b) {
+void write_basins(Object& json, const Basins& b, const Units& units) {
   const BasinsQuestion& q = b.question;
   write_origin(json, command_of(q));
   json.has("plane", plane_of(q), {{"items", one_of({"x1", "x2", "x1'", "x2'"})}, {"uniqueItems", true}});
-  write_pixels(json, q.pixels, b.starts);
+  write_pixels(json, q.pixels, std::array{units.state(b.starts.front()), units.state(b.starts.back())});
   write_parameters(json, q.machine.machine);
   json.has("most_periods", q.machine.most_periods, {{"minimum", 1}});
   json.has("interrupted", b.interrupted, "Fewer starts than were asked for.");
   json.list("attractors", b.attractors,
-            [&](Object& to, const Attractor& a) { write_attractor(to, a, q.machine.machine.digits); });
+            [&](Object& to, const Attractor& a) { write_attractor(to, a, q.machine.machine.digits, units); });
   write_ends(json, b.at, q.pixels[0]);
 }
 
 }  // namespace
 
-Json to_json(const Diagram& d) {
-  return written(d, write_diagram);
+Json to_json(const Diagram& d, const Units& units) {
+  return written(d, in_units(write_diagram, units));
 }
 
-Json to_json(const Basins& b) {
-  return written(b, write_basins);
+Json to_json(const Basins& b, const Units& units) {
+  return written(b, in_units(write_basins, units));
 }
 
 File attractors_schema() {
@@ -249,8 +259,8 @@ File attractors_schema() {
   along.question.machine.machine = plane.question.machine.machine = SampleOf<words::WordQuestion>::made();
   plane.starts = {model::Vector4<double>::Zero()};
   return schema_file("attractors", "stickslip attractors: what a machine does; with --along, with --plane",
-                     one_of_schemas({schema_of_attractors(), schema_by(along, write_diagram),
-                                     schema_by(plane, write_basins)}));
+                     one_of_schemas({schema_of_attractors(), schema_by(along, in_units(write_diagram)),
+                                     schema_by(plane, in_units(write_basins))}));
 }
 
 std::string options_along(const DiagramQuestion& q) {

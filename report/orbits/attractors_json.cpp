@@ -15,15 +15,16 @@ using namespace tools;
 using words::WordOrbit;
 using words::WordQuestion;
 
-void write_attractor(Object& json, const Attractor& a, int digits, Share share) {
+void write_attractor(Object& json, const Attractor& a, int digits, const Units& units, Share share) {
   json.has("kind", a.kind, names_through(Kind::unsettled));
   if (share == Share::told) {
     write_share(json, a);
   }
-  json.has("state", a.state, "x1, x2, x1', x2' of a simulated motion when the load's phase is 0.");
+  json.has("state", units.state(a.state),
+           "x1, x2, x1', x2' of a simulated motion when the load's phase is 0.");
   write_lyapunov(json, a);
   json.keys_if(
-      a.kind == Kind::periodic ? std::optional(a) : std::nullopt, [digits](Object& to, const Attractor& one) {
+      a.kind == Kind::periodic ? std::optional(a) : std::nullopt, [&](Object& to, const Attractor& one) {
         to.has("period", one.periods, like_periods());
         to.has("word", one.word, like_word());
         const Verdict existence = one.orbit ? one.orbit->existence : Verdict::undecided("no proof was tried");
@@ -31,11 +32,11 @@ void write_attractor(Object& json, const Attractor& a, int digits, Share share) 
         to.has("reason", if_any(existence.reason));
         to.keys_if(existence.truth == Truth::proved ? one.orbit : std::nullopt, [&](Object& proved,
                                                                                     const WordOrbit& o) {
-          write_durations(proved, o.orbit.motion, digits);
+          write_durations(proved, o.orbit.motion, digits, units);
           write_admissible(proved, o.orbit.admissible);
           proved.has("family", one.family.empty() ? std::nullopt : std::optional(one.family), family_names());
           write_stability(proved, o.orbit.stability, o.orbit.conditions, digits);
-          write_neighbourhood(proved, o.orbit.neighbourhood);
+          write_neighbourhood(proved, o.orbit.neighbourhood, units);
         });
       });
   json.rules({{"if", {{"properties", {{"kind", {{"const", to_string(Kind::periodic)}}}}}}},
@@ -44,7 +45,7 @@ void write_attractor(Object& json, const Attractor& a, int digits, Share share) 
 
 namespace {
 
-void write_attractors(Object& json, const AttractorList& list) {
+void write_attractors(Object& json, const AttractorList& list, const Units& units) {
   const AttractorQuestion& q = list.question;
   write_origin(json, command_of(q));
   write_parameters(json, q.machine);
@@ -69,19 +70,19 @@ void write_attractors(Object& json, const AttractorList& list) {
       "Whether some motions are proved to slip for ever: where the speed |q2| omega that the load forces is "
       "below V. Absent where omega is a natural frequency.");
   json.list("attractors", list.attractors,
-            [&](Object& to, const Attractor& a) { write_attractor(to, a, q.machine.digits); });
+            [&](Object& to, const Attractor& a) { write_attractor(to, a, q.machine.digits, units); });
 }
 
 }  // namespace
 
-Json to_json(const AttractorList& list) {
-  return written(list, write_attractors);
+Json to_json(const AttractorList& list, const Units& units) {
+  return written(list, in_units(write_attractors, units));
 }
 
 Json schema_of_attractors() {
   AttractorList sample;
   sample.question.machine = SampleOf<WordQuestion>::made();
-  return schema_by(sample, write_attractors);
+  return schema_by(sample, in_units(write_attractors));
 }
 
 std::string command_of(const AttractorQuestion& q) {

@@ -20,7 +20,6 @@ using words::WordQuestion;
 
 namespace {
 
-constexpr std::size_t most_durations = 16;
 constexpr std::size_t most_letters = 600;
 constexpr int short_digits = 10;
 constexpr int multiplier_digits = 6;
@@ -33,14 +32,9 @@ Json frame_data(const PageFrame& frame, const std::string& title, const std::str
 }
 
 std::string durations(const WordOrbit& o, const Units& units) {
-  std::string text;
-  const auto& phases = o.orbit.motion.phases;
-  for (std::size_t k = 0; k < std::min(phases.size(), most_durations); ++k) {
-    text += fmt::format("{}{} {}", k == 0 ? "" : ", ", words::letter(phases[k].kind),
-                        rounded(units.time(phases[k].duration), short_digits));
-  }
-  return text + units.unit(" s") +
-         (phases.size() > most_durations ? fmt::format(", and {} more", phases.size() - most_durations) : "");
+  return durations_in_words(o.orbit.motion.phases, units.unit(" s"), [&](const motion::Phase& phase) {
+    return fmt::format("{} {}", words::letter(phase.kind), rounded(units.time(phase.duration), short_digits));
+  });
 }
 
 // All that is known of an attractor.
@@ -56,13 +50,9 @@ std::vector<Row> rows_of(const Attractor& a, const Units& units) {
   if (a.orbit && a.orbit->existence.truth == Truth::proved) {
     const families::Orbit& o = a.orbit->orbit;
     rows.push_back({{"durations"}, {durations(*a.orbit, units)}});
-    std::string multipliers;
-    for (const motion::ComplexBall& mu :
-         o.stability ? o.stability->multipliers : decltype(o.stability->multipliers){}) {
-      multipliers += (multipliers.empty() ? "" : "; ") + complex_text(mu, multiplier_digits);
-    }
-    if (!multipliers.empty()) {
-      rows.push_back({{"multipliers"}, {multipliers}});
+    if (o.stability && !o.stability->multipliers.empty()) {
+      const auto text = [](const motion::ComplexBall& mu) { return complex_text(mu, multiplier_digits); };
+      rows.push_back({{"multipliers"}, {enumerated(o.stability->multipliers, text, "; ")}});
     }
     if (o.neighbourhood) {
       rows.push_back({{"recovers"}, {neighbourhood_in_words(*o.neighbourhood, coordinates_in(units))}});

@@ -1,9 +1,11 @@
 #include "report/orbits/branches.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "core/decimal.hpp"
 #include "numeric/families/family.hpp"
@@ -235,21 +237,16 @@ std::string terminal_report(const BranchList& list, const Style& style) {
 
 std::string to_csv(const BranchList& list) {
   const BranchQuestion& q = list.question;
-  std::string text = q.parameter + ",branch,piece,state";
-  for (const std::string& name : q.orbits.family->durations) {
-    text += "," + name;
-  }
-  text += ",phi,x10,x20,xdot10\n";
+  std::string text = q.parameter + ",branch,piece,state," +
+                     enumerated(q.orbits.family->durations, std::identity(), ",") + ",phi,x10,x20,xdot10\n";
   for (std::size_t b = 0; b < list.branches.size(); ++b) {
     const std::vector<Piece>& pieces = list.branches[b].pieces;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       for (const Sample& sample : pieces[k].samples) {
         const SampleValues s = values_of(q, sample);
-        text += fmt::format("{:.17g},{},{},{}", sample.value, b + 1, k + 1, to_string(pieces[k].state));
-        for (const double duration : s.durations) {
-          text += fmt::format(",{:.17g}", duration);
-        }
-        text += fmt::format(",{:.17g},{:.17g},{:.17g},{:.17g}\n", s.phi, s.x10, s.x20, s.xdot10);
+        text += fmt::format("{:.17g},{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", sample.value, b + 1,
+                            k + 1, to_string(pieces[k].state), fmt::join(s.durations, ","), s.phi, s.x10,
+                            s.x20, s.xdot10);
       }
     }
   }

@@ -298,10 +298,23 @@ Units::Measured Units::measured(const families::NamedBall& value) const {
   return si_ ? Measured{(this->*known->in_units)(value.value), known->unit} : Measured{value.value, ""};
 }
 
+long Units::bits_for(int digits) {
+  return static_cast<long>(3.33 * digits) + bits;
+}
+
+Ball Units::value(const families::NamedBall& value, int digits) const {
+  const WorkingPrecision precision(bits_for(digits));
+  return measured(value).value;
+}
+
+Ball Units::time(const Ball& t, int digits) const {
+  const WorkingPrecision precision(bits_for(digits));
+  return time(t);
+}
+
 std::string Units::text(const families::NamedBall& value, int asked) const {
   const int digits = this->digits(asked);
-  // So that the factor does not take any of the digits.
-  const WorkingPrecision precision(static_cast<long>(3.33 * digits) + bits);
+  const WorkingPrecision precision(bits_for(digits));
   const Measured m = measured(value);
   return to_string(m.value, known_digits(m.value, digits)) + m.unit;
 }

@@ -58,8 +58,11 @@ class Units {
   // For a title of gnuplot: the machine in two lines, without the value that varies, by its name in the
   // machine's file; or these data, if it is none in SI units.
   [[nodiscard]] std::string machine_or(const std::string& data, const std::string& but_for = "") const;
-  // A value of an orbit by its name, at the working precision.
-  [[nodiscard]] Ball value(const numeric::families::NamedBall& value) const { return measured(value).value; }
+  // Enough for the factor of a unit to take none of so many digits.
+  [[nodiscard]] static long bits_for(int digits);
+  // A value of an orbit by its name, and a time, with so many bits.
+  [[nodiscard]] Ball value(const numeric::families::NamedBall& value, int digits) const;
+  [[nodiscard]] Ball time(const Ball& t, int digits) const;
   // A value of an orbit by its name, z10, tau, ur, ..., to at most so many digits, with its unit:
   // rad, and those of SI.
   [[nodiscard]] std::string text(const numeric::families::NamedBall& value, int digits) const;

@@ -36,11 +36,7 @@ const char * stable(const ToldEnding& a) {
 
 // "x1,x2,x1',x2'", with their units.
 std::string states_named(const SeenOscillator& o) {
-  std::string text;
-  for (const Coordinate& coordinate : o.coordinates) {
-    text += (text.empty() ? "" : ",") + named(coordinate);
-  }
-  return text;
+  return enumerated(o.coordinates, named, ",");
 }
 
 // Kind, period, word, as a table for programs has them.
@@ -51,11 +47,8 @@ std::string kind_of(const Ending& a) {
 
 // "54 % OTS (1), 46 % quasi-periodic".
 std::string shares(const std::vector<ToldEnding>& all, int decimals) {
-  std::string text;
-  for (const ToldEnding& a : all) {
-    text += fmt::format("{}{:.{}f} % {}", text.empty() ? "" : ", ", 100 * a.share, decimals, a.name);
-  }
-  return text;
+  return enumerated(
+      all, [&](const ToldEnding& a) { return fmt::format("{:.{}f} % {}", 100 * a.share, decimals, a.name); });
 }
 
 // A line of a diagram's table: the value, and what the starts end on there.
@@ -113,11 +106,8 @@ Eigen::VectorXd told(const Eigen::VectorXd& X, const std::vector<Coordinate>& co
 }
 
 std::string comma_separated(const Eigen::VectorXd& X) {
-  std::string text;
-  for (const double x : X) {
-    text += fmt::format("{}{:.17g}", text.empty() ? "" : ",", x);
-  }
-  return text;
+  return enumerated(
+      X, [](double x) { return fmt::format("{:.17g}", x); }, ",");
 }
 
 std::string named(const Coordinate& coordinate) {

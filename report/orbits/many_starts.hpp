@@ -121,19 +121,19 @@ void add_plane(tools::Json& data, std::vector<tools::File>& files, const ToldPla
 void write_share(tools::Object& json, const numeric::attractors::Ending& ending);
 void write_lyapunov(tools::Object& json, const numeric::attractors::Ending& ending);
 
-// The points of a diagram, each attractor with `write`.
+// The points of a diagram, each attractor, with its point, by `write`.
 template <class Point, class Write>
 void write_points(tools::Object& json, const std::vector<Point>& points, const char * once,
                   const Write& write) {
-  json.list("points", points, [once, write](tools::Object& here, const Point& point) {
+  json.list("points", points, [&](tools::Object& here, const Point& point) {
     here.has("value", point.value);
     using Attractor = typename decltype(point.attractors)::value_type;
     std::vector<std::pair<Attractor, typename decltype(point.once)::value_type>> found;
     for (std::size_t k = 0; k < point.attractors.size(); ++k) {
       found.emplace_back(point.attractors[k], point.once[k]);
     }
-    here.list("attractors", found, [once, write](tools::Object& one, const auto& attractor) {
-      write(one, attractor.first);
+    here.list("attractors", found, [&](tools::Object& one, const auto& attractor) {
+      write(one, attractor.first, point);
       one.has("once", attractor.second, once);
     });
     here.has("outside", point.outside.empty() ? std::nullopt : std::optional(point.outside),

@@ -91,8 +91,10 @@ std::string meaning_of_neighbourhood() {
          "converges to the orbit; and so do all from an ellipsoid of these half widths";
 }
 
+namespace {
+
 Neighbourhood in_units(Neighbourhood n, const Units& units) {
-  if (n.verdict.truth != Truth::proved) {
+  if (n.verdict.truth != Truth::proved || !units.are_SI()) {
     return n;
   }
   const std::vector<Coordinate> coordinates = coordinates_in(units);
@@ -111,9 +113,12 @@ Neighbourhood in_units(Neighbourhood n, const Units& units) {
   return n;
 }
 
-void write_neighbourhood(Object& json, const std::shared_ptr<const Neighbourhood>& neighbourhood) {
+}  // namespace
+
+void write_neighbourhood(Object& json, const std::shared_ptr<const Neighbourhood>& neighbourhood,
+                         const Units& units) {
   json.object_if(
-      "neighbourhood", neighbourhood ? std::optional(*neighbourhood) : std::nullopt,
+      "neighbourhood", neighbourhood ? std::optional(in_units(*neighbourhood, units)) : std::nullopt,
       [](Object& to, const Neighbourhood& n) {
         to.has("verdict", n.verdict.truth);
         to.has("reason", if_any(n.verdict.reason));
@@ -143,8 +148,9 @@ void write_neighbourhood(Object& json, const std::shared_ptr<const Neighbourhood
       "Starts whose motions are all proved to converge to the orbit.");
 }
 
-void write_neighbourhood(Object& json, const numeric::OrbitQuestion& question, const numeric::Orbit& orbit) {
-  write_neighbourhood(json, orbit.neighbourhood);
+void write_neighbourhood(Object& json, const numeric::OrbitQuestion& question, const numeric::Orbit& orbit,
+                         const Units& units) {
+  write_neighbourhood(json, orbit.neighbourhood, units);
   json.has("ur_of_neighbourhood", ur_of_neighbourhood(question, orbit),
            "Where ur is a result: of the machine that the neighbourhood is proved for, ur to 17 digits.");
 }

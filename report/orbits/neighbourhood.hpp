@@ -40,14 +40,11 @@ struct Coordinate {
 // What the rows mean, in one sentence, for a label below.
 [[nodiscard]] std::string meaning_of_neighbourhood();
 
-// In other units.
-[[nodiscard]] numeric::machines::Neighbourhood in_units(numeric::machines::Neighbourhood neighbourhood,
-                                                        const Units& units);
-
-// Under the key "neighbourhood", if there is one; of a family's orbit with ur_of_neighbourhood.
+// In the units, under the key "neighbourhood", if there is one; of a family's orbit with ur_of_neighbourhood.
 void write_neighbourhood(tools::Object& json,
-                         const std::shared_ptr<const numeric::machines::Neighbourhood>& neighbourhood);
+                         const std::shared_ptr<const numeric::machines::Neighbourhood>& neighbourhood,
+                         const Units& units = {});
 void write_neighbourhood(tools::Object& json, const numeric::OrbitQuestion& question,
-                         const numeric::Orbit& orbit);
+                         const numeric::Orbit& orbit, const Units& units = {});
 
 }  // namespace stickslip::report::orbits

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/decimal.hpp"
@@ -313,13 +314,10 @@ std::string equation(const std::string& left, const model::Wave<Ball>& z, const 
 
 // "\tau + \tau_1": when phase k begins; the last one ends at \Theta.
 std::string begin_of(const Family& family, std::size_t k) {
-  std::vector<std::string> sum;
-  for (std::size_t i = 0; i < k; ++i) {
-    sum.push_back(latex_of_value(family.durations[i]));
-  }
+  const auto name = [](const std::string& duration) { return latex_of_value(duration); };
   return k == 0                      ? "0"
          : k == family.phases.size() ? latex_of_value("Theta")
-                                     : fmt::format("{}", fmt::join(sum, " + "));
+                                     : enumerated(std::span(family.durations).first(k), name, " + ");
 }
 
 std::string phase(const Orbit& orbit, const Family& family, std::size_t k, int digits) {
@@ -336,11 +334,9 @@ std::string phase(const Orbit& orbit, const Family& family, std::size_t k, int d
 }
 
 std::string data(const OrbitQuestion& question) {
-  std::vector<std::string> parts;
-  for (const auto& [name, range] : named_parameters(question)) {
-    parts.push_back(latex_of_value(name, stickslip::to_string(range.middle)));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return enumerated(named_parameters(question), [](const auto& one) {
+    return latex_of_value(one.first, stickslip::to_string(one.second.middle));
+  });
 }
 
 std::string values(const Orbit& orbit, const OrbitQuestion& question, int digits) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/decimal.hpp"
-#include "core/error.hpp"
+#include "core/names.hpp"
 #include "model/named_data.hpp"
 #include "numeric/families/family.hpp"
 #include "report/tools/numbers.hpp"
@@ -20,8 +20,8 @@ using namespace tools;
 
 namespace {
 
-std::string counted(std::size_t count, const char * one, const char * many) {
-  return fmt::format("{} {}", count == 0 ? "no" : std::to_string(count), count == 1 ? one : many);
+std::string none_or_counted(std::size_t count, const char * one, const char * many) {
+  return count == 0 ? fmt::format("no {}", many) : counted(static_cast<long>(count), one, many);
 }
 
 }  // namespace
@@ -53,50 +53,32 @@ Named<Rational> named_parameters(const words::WordQuestion& question) {
 }
 
 std::string place_text(const std::vector<NamedBall>& where) {
-  std::string text;
-  for (const NamedBall& value : where) {
-    text += fmt::format("{} = {}, ", value.name, to_string(value.value, 8));
-  }
-  return text;
+  return enumerated(
+      where,
+      [](const NamedBall& value) { return fmt::format("{} = {}, ", value.name, to_string(value.value, 8)); },
+      "");
 }
 
 std::string colour_of(PhaseKind kind) {
-  switch (kind) {
-    case PhaseKind::slip:
-      return "#1f4e9c";
-    case PhaseKind::overshoot:
-      return "#c0392b";
-    case PhaseKind::stick:
-      return "#404040";
-  }
-  return "#000000";
+  return name_of<PhaseKind::stick>(kind, "#1f4e9c", "#c0392b", "#404040");
 }
 
 std::string describe(Remark remark) {
-  switch (remark) {
-    case Remark::load_absent:
-      return "$p = 0$: the load's phase means nothing, and each orbit is listed for the first of the two "
-             "phases only.";
-    case Remark::closes_without_stick:
-      return "A natural frequency is a multiple of $omega$, so its free oscillation closes: there are also "
-             "closed motions that never stick and are not in this list; for $V = 0$ it has those that are "
-             "their own mirror images half a period later, and the others that obey the law are one of these "
-             "with such an oscillation added.";
-    case Remark::nothing_drives:
-      return "$V = 0$ and the load does not act on $x2$, for $p = 0$ or $omega = 1$: friction takes energy "
-             "whenever $x2$ moves and nothing gives it back, so no such motion obeys the law.";
-    case Remark::odd_resonance:
-      return "$V = 0$ and a natural frequency is an odd multiple of $omega$: a motion that never sticks has "
-             "two "
-             "phases of half a period, whose friction drives that mode without end, so none closes.";
-    case Remark::interrupted:
-      return "The search was interrupted: orbits may be missing, and the unresolved boxes are where.";
-    case Remark::searched_at_middle:
-      return "The orbits were searched for at the middle of the parameters; each is then proved for the "
-             "whole "
-             "box. Other orbits may exist elsewhere in the box.";
-  }
-  throw InternalError("a remark of no known kind");
+  return name_of<Remark::searched_at_middle>(
+      remark,
+      "$p = 0$: the load's phase means nothing, and each orbit is listed for the first of the two phases "
+      "only.",
+      "A natural frequency is a multiple of $omega$, so its free oscillation closes: there are also closed "
+      "motions that never stick and are not in this list; for $V = 0$ it has those that are their own mirror "
+      "images half a period later, and the others that obey the law are one of these with such an "
+      "oscillation added.",
+      "The search was interrupted: orbits may be missing, and the unresolved boxes are where.",
+      "$V = 0$ and the load does not act on $x2$, for $p = 0$ or $omega = 1$: friction takes energy whenever "
+      "$x2$ moves and nothing gives it back, so no such motion obeys the law.",
+      "$V = 0$ and a natural frequency is an odd multiple of $omega$: a motion that never sticks has two "
+      "phases of half a period, whose friction drives that mode without end, so none closes.",
+      "The orbits were searched for at the middle of the parameters; each is then proved for the whole box. "
+      "Other orbits may exist elsewhere in the box.");
 }
 
 std::string remark_on_ur(const OrbitList& list) {
@@ -125,21 +107,21 @@ std::string searched(const OrbitQuestion& q) {
 }
 
 std::string result_of_search(const OrbitList& list) {
-  const auto good = std::count_if(list.orbits.begin(), list.orbits.end(),
-                                  [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; });
+  const auto good = std::ranges::count_if(list.orbits, families::is_admissible);
   const std::size_t at_middle = list.open_at_middle;
   std::vector<std::string> parts;
   if (!list.orbits.empty() || at_middle == 0) {
-    parts.push_back(counted(list.orbits.size(), "orbit", "orbits"));
+    parts.push_back(none_or_counted(list.orbits.size(), "orbit", "orbits"));
   }
   if (!list.orbits.empty()) {
     parts.push_back(fmt::format("{} admissible", good));
   }
   if (at_middle > 0) {
-    parts.push_back(counted(at_middle, "orbit", "orbits") + " not proved for the whole box");
+    parts.push_back(none_or_counted(at_middle, "orbit", "orbits") + " not proved for the whole box");
   }
   if (at_middle == 0 || at_middle < list.unresolved.size()) {
-    parts.push_back(counted(list.unresolved.size() - at_middle, "unresolved box", "unresolved boxes"));
+    parts.push_back(
+        none_or_counted(list.unresolved.size() - at_middle, "unresolved box", "unresolved boxes"));
   }
   const char * completeness = asks_for_box(list.question) ? ""
                               : list.complete()           ? "complete: "
@@ -158,7 +140,7 @@ std::vector<std::string> decisive_conditions(const Orbit& orbit) {
 }
 
 std::string verdict_on(const Orbit& orbit) {
-  if (orbit.admissible.truth == Truth::proved) {
+  if (is_admissible(orbit)) {
     return "admissible";
   }
   const bool refuted = orbit.admissible.truth == Truth::refuted;

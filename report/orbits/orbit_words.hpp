@@ -7,6 +7,7 @@
 
 #include "numeric/attractors/word_search.hpp"
 #include "numeric/orbits.hpp"
+#include "report/tools/layout.hpp"
 
 namespace stickslip::report::orbits {
 
@@ -29,19 +30,12 @@ using Named = std::vector<std::pair<std::string, Value>>;
 // options say of them, " --chi=0.3 --eta=4".
 template <class Value>
 [[nodiscard]] std::string parameter_list(const Named<Value>& values) {
-  std::string text;
-  for (const auto& [name, value] : values) {
-    text += (text.empty() ? "" : ", ") + name + "=" + notation(value);
-  }
-  return text;
+  return tools::enumerated(values, [](const auto& one) { return one.first + "=" + notation(one.second); });
 }
 template <class Value>
 [[nodiscard]] std::string options_of(const Named<Value>& values) {
-  std::string text;
-  for (const auto& [name, value] : values) {
-    text += " --" + name + "=" + notation(value);
-  }
-  return text;
+  return tools::enumerated(
+      values, [](const auto& one) { return " --" + one.first + "=" + notation(one.second); }, "");
 }
 [[nodiscard]] std::string parameter_list(const auto& question) {
   return parameter_list(named_parameters(question));

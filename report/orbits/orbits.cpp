@@ -35,8 +35,7 @@ std::string result_of(const WordOrbits& list) {
   if (list.orbits.empty() && !list.seen.empty()) {
     return "complete: no orbit: " + list.seen;
   }
-  const auto good = std::ranges::count(list.orbits, Truth::proved,
-                                       [](const words::WordOrbit& o) { return o.orbit.admissible.truth; });
+  const auto good = std::ranges::count_if(list.orbits, families::is_admissible, &words::WordOrbit::orbit);
   const std::string count =
       fmt::format("{} {}, {} admissible", list.orbits.empty() ? "no" : std::to_string(list.orbits.size()),
                   list.orbits.size() == 1 ? "orbit" : "orbits", good);
@@ -133,7 +132,7 @@ std::string condition_rows(const std::vector<Condition>& conditions, const Style
                     {shown(c.margin)},
                     {shown(c.at)},
                     {c.statement}});
-    if (c.verdict.truth != Truth::proved && c.verdict.truth != Truth::refuted) {
+    if (!c.verdict.is_decided()) {
       rows.push_back({{""}, {""}, {""}, {""}, {c.verdict.reason}});
     }
   }

@@ -37,10 +37,10 @@ struct Listed {
 // Lists of orbits for readers and for programs.
 
 // What a list is as JSON, to the digits asked for; their schemas. Keys that do not apply are absent,
-// "admissible" is null when undecided.
+// "admissible" is null when undecided. Values and durations are in the units, the data those of (2).
 void write_orbits(tools::Object& json, const numeric::OrbitList& list);
 [[nodiscard]] tools::Json to_json(const numeric::OrbitList& list);
-[[nodiscard]] tools::Json to_json(const numeric::attractors::WordOrbits& list);
+[[nodiscard]] tools::Json to_json(const numeric::attractors::WordOrbits& list, const Units& units = {});
 [[nodiscard]] tools::File orbits_schema();
 [[nodiscard]] tools::File words_schema();
 

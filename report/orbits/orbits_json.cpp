@@ -20,16 +20,20 @@ namespace {
 constexpr int margin_digits = 20;
 
 // What orbits of lists have; `always` and `sometimes` are names of their values.
-void write_orbit(Object& json, const Orbit& o, int digits, const std::vector<std::string>& always,
-                 const std::vector<std::string>& sometimes) {
-  json.each(ball_texts(o.values, digits), always, sometimes);
+void write_orbit(Object& json, const Orbit& o, int digits, const Units& units,
+                 const std::vector<std::string>& always, const std::vector<std::string>& sometimes) {
+  Named<BallText> values;
+  for (const NamedBall& value : o.values) {
+    values.emplace_back(value.name, ball_text(units.value(value, digits), digits));
+  }
+  json.each(values, always, sometimes);
   write_admissible(json, o.admissible);
   write_stability(json, o.stability, o.conditions, digits);
 }
 
 void write_family_orbit(Object& json, const Orbit& o, const OrbitQuestion& question) {
   const int digits = question.digits;
-  write_orbit(json, o, digits, {"tau", "Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10"},
+  write_orbit(json, o, digits, {}, {"tau", "Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10"},
               {"tau1", "T", "ur", "ur_max"});
   json.rules({{"oneOf", {{{"required", {"ur"}}}, {{"required", {"ur_max"}}}}}});
   json.has("split", o.split.empty() ? std::nullopt : std::optional(o.split),
@@ -38,12 +42,12 @@ void write_family_orbit(Object& json, const Orbit& o, const OrbitQuestion& quest
   write_neighbourhood(json, question, o);
 }
 
-void write_word_orbit(Object& json, const WordOrbit& o, int digits) {
+void write_word_orbit(Object& json, const WordOrbit& o, int digits, const Units& units) {
   json.has("word", o.word.letters(), like_word());
   json.has("period", o.periods, like_periods());
-  write_durations(json, o.orbit.motion, digits);
-  write_orbit(json, o.orbit, digits, {"Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur"},
-              {});
+  write_durations(json, o.orbit.motion, digits, units);
+  write_orbit(json, o.orbit, digits, units,
+              {"Theta", "phi", "z10", "z20", "zdot10", "x10", "x20", "xdot10", "ur"}, {});
   std::vector<std::pair<Condition, std::size_t>> conditions;
   for (std::size_t k = 0; k < o.orbit.conditions.size(); ++k) {
     conditions.emplace_back(o.orbit.conditions[k], o.asked[k].phase + 1);
@@ -54,7 +58,7 @@ void write_word_orbit(Object& json, const WordOrbit& o, int digits) {
               to.has("phase", condition.second, with({{"minimum", 1}}, "Of the word, from 1."));
             },
             {{"minItems", 1}});
-  write_neighbourhood(json, o.orbit.neighbourhood);
+  write_neighbourhood(json, o.orbit.neighbourhood, units);
 }
 
 void write_unresolved(Object& json, const std::vector<Unresolved>& parts, int digits,
@@ -69,7 +73,7 @@ void write_unresolved(Object& json, const std::vector<Unresolved>& parts, int di
       "Parts of the domain that the search could not decide.");
 }
 
-void write_words(Object& json, const WordOrbits& list) {
+void write_words(Object& json, const WordOrbits& list, const Units& units) {
   const attractors::WordSearch& q = list.question;
   const int digits = q.machine.digits;
   write_origin(json, command_of(q));
@@ -79,7 +83,7 @@ void write_words(Object& json, const WordOrbits& list) {
   json.has("complete", list.complete(), "No orbit of the word in so many periods is missing.");
   write_unresolved(json, list.unresolved, digits, {"tau"}, {"tau1", "tau2", "phi"});
   json.list("orbits", list.orbits,
-            [digits](Object& to, const WordOrbit& o) { write_word_orbit(to, o, digits); });
+            [&](Object& to, const WordOrbit& o) { write_word_orbit(to, o, digits, units); });
   json.has("seen", list.seen.empty() ? std::nullopt : std::optional(list.seen),
            "What a simulation met in place of an orbit of the word.");
 }
@@ -136,10 +140,10 @@ void write_parameters(Object& json, const words::WordQuestion& q) {
   });
 }
 
-void write_durations(Object& json, const Motion& motion, int digits) {
+void write_durations(Object& json, const Motion& motion, int digits, const Units& units) {
   std::vector<BallText> texts;
   for (const Phase& phase : motion.phases) {
-    texts.push_back(ball_text(phase.duration, digits));
+    texts.push_back(ball_text(units.time(phase.duration, digits), digits));
   }
   json.has("durations", texts, with({{"minItems", 2}}, "Of the phases, in the order of the word."));
 }
@@ -161,8 +165,7 @@ void write_condition(Object& json, const Condition& c) {
 }
 
 void write_admissible(Object& json, const Verdict& admissible) {
-  const bool known = admissible.truth == Truth::proved || admissible.truth == Truth::refuted;
-  json.has_as("admissible", known ? Json(admissible.truth == Truth::proved) : Json(nullptr),
+  json.has_as("admissible", admissible.is_decided() ? Json(admissible.truth == Truth::proved) : Json(nullptr),
               {{"type", {"boolean", "null"}}}, "Whether every condition holds; null when that is undecided.");
 }
 
@@ -221,8 +224,8 @@ Json to_json(const OrbitList& list) {
   return written(list, write_orbits);
 }
 
-Json to_json(const WordOrbits& list) {
-  return written(list, write_words);
+Json to_json(const WordOrbits& list, const Units& units) {
+  return written(list, in_units(write_words, units));
 }
 
 File orbits_schema() {
@@ -233,7 +236,7 @@ File orbits_schema() {
 File words_schema() {
   const WordOrbits sample{{SampleOf<words::WordQuestion>::made(), words::Word::parse("OTS"), 1, {}}, {}, {}};
   return schema_file("words", "stickslip orbits WORD: orbits through given phases, each proved",
-                     schema_by(sample, write_words));
+                     schema_by(sample, in_units(write_words)));
 }
 
 }  // namespace stickslip::report::orbits

@@ -8,6 +8,7 @@
 
 #include "numeric/families/family.hpp"
 #include "report/orbits/orbit_words.hpp"
+#include "report/orbits/portraits.hpp"
 #include "report/tools/numbers.hpp"
 #include "report/tools/prose.hpp"
 #include "report/tools/templates.hpp"
@@ -95,15 +96,13 @@ Json phases_of(const MotionOf<double>& motion, const Family& family, std::size_t
 }
 
 std::string parameter_text(const OrbitQuestion& question) {
-  std::string text;
-  for (const auto& [name, range] : named_parameters(question)) {
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, notation(range));
-  }
-  return in_greek(text);
+  return in_greek(enumerated(named_parameters(question), [](const auto& one) {
+    return fmt::format("{} = {}", one.first, notation(one.second));
+  }));
 }
 
 std::string tell(const Orbit& orbit) {
-  return orbit.admissible.truth == Truth::proved    ? "admissible"
+  return is_admissible(orbit)                       ? "admissible"
          : orbit.admissible.truth == Truth::refuted ? "not admissible"
                                                     : "undecided";
 }
@@ -123,33 +122,26 @@ std::string title(const OrbitList& list, std::size_t i) {
 
 // The orbits to draw: the admissible ones, or all if none is, or the one named.
 std::vector<std::size_t> drawn(const OrbitList& list, std::optional<std::size_t> only) {
-  const auto admissible = [](const Orbit& orbit) { return orbit.admissible.truth == Truth::proved; };
-  const bool any = std::any_of(list.orbits.begin(), list.orbits.end(), admissible);
+  const bool any = std::ranges::any_of(list.orbits, families::is_admissible);
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < list.orbits.size(); ++i) {
-    if (only ? i == *only : !any || admissible(list.orbits[i])) {
+    if (only ? i == *only : !any || is_admissible(list.orbits[i])) {
       found.push_back(i);
     }
   }
   return found;
 }
 
-struct Extent {
-  double least;
-  double greatest;
-};
-
-// Of one component over the period, at the points that are drawn.
-Extent extent(const MotionOf<double>& motion, const model::Vector2<double>& shift, int component) {
-  const double first = state(motion, motion.phases.front(), shift, 0)(component);
-  Extent found{first, first};
+// Over the period, at the points that are drawn.
+std::vector<model::Vector4<double>> states_drawn(const MotionOf<double>& motion,
+                                                 const model::Vector2<double>& shift) {
+  std::vector<model::Vector4<double>> all;
   for (const PhaseOf<double>& phase : motion.phases) {
     for (int i = 0; i <= samples; ++i) {
-      const double value = state(motion, phase, shift, static_cast<double>(i) / samples)(component);
-      found = {std::min(found.least, value), std::max(found.greatest, value)};
+      all.push_back(state(motion, phase, shift, static_cast<double>(i) / samples));
     }
   }
-  return found;
+  return all;
 }
 
 // What a reader sees of the orbit, for one who does not.
@@ -162,9 +154,12 @@ std::string described(const OrbitList& list, std::size_t i) {
     text += fmt::format(" {} from t = {:.4g} to {:.4g},", to_string(phase.kind), phase.start,
                         phase.start + phase.duration);
   }
+  const std::vector<model::Vector4<double>> all = states_drawn(motion, shift);
+  const auto extent = [&](int component) {
+    return extremes(all, [&](const model::Vector4<double>& X) { return X(component); });
+  };
   for (int mass = 0; mass < 2; ++mass) {
-    const Extent place = extent(motion, shift, mass);
-    const Extent velocity = extent(motion, shift, mass + 2);
+    const simulation::Extremes place = extent(mass), velocity = extent(mass + 2);
     text += fmt::format(" {}{} goes from {:.3g} to {:.3g}, its velocity from {:.3g} to {:.3g}{}", q, mass + 1,
                         place.least, place.greatest, velocity.least, velocity.greatest, mass == 0 ? "," : "");
   }

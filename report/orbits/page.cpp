@@ -93,14 +93,13 @@ Json value(const NamedBall& named, int digits) {
 }
 
 Json condition(const Condition& c) {
-  const bool decided = c.verdict.truth == Truth::proved || c.verdict.truth == Truth::refuted;
   return {{"id", c.id},
           {"statement", c.statement},
           {"verdict", to_string(c.verdict.truth)},
           {"verdict_words", spaced(to_string(c.verdict.truth))},
           {"margin", shown(c.margin)},
           {"at", shown(c.at)},
-          {"reason_if_open", decided ? Json(nullptr) : Json(c.verdict.reason)}};
+          {"reason_if_open", c.verdict.is_decided() ? Json(nullptr) : Json(c.verdict.reason)}};
 }
 
 void add_stability(Json& json, const std::optional<Stability>& stability) {

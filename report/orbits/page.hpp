@@ -1,9 +1,13 @@
 // What pages on motions share.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -91,6 +95,14 @@ struct MotionOnPage {
 // The motions that `of` makes of 0, 1, ...
 void add_motions(tools::Json& data, std::vector<tools::File>& files, std::size_t count,
                  const std::function<MotionOnPage(std::size_t)>& of);
+// How long each phase lasts, as `text` says, for the first of them.
+template <class Phase, class Text>
+[[nodiscard]] std::string durations_in_words(const std::vector<Phase>& phases, const char * unit,
+                                             const Text& text) {
+  const std::size_t shown = std::min<std::size_t>(phases.size(), 16);
+  return tools::enumerated(std::span(phases).first(shown), text) + unit +
+         (shown < phases.size() ? fmt::format(", and {} more", phases.size() - shown) : "");
+}
 // How many of them have a picture.
 inline constexpr std::size_t most_pictured = 24;
 // "12: 2.4 %, within 1.4 and 4.2 %".

@@ -23,6 +23,13 @@ namespace stickslip::report::orbits {
 // A sentence without its marks; nothing if it is empty.
 [[nodiscard]] std::optional<std::string> if_any(const std::string& sentence);
 
+// What writes a result in the units.
+template <class Result>
+[[nodiscard]] auto in_units(void (*write)(tools::Object&, const Result&, const Units&),
+                            const Units& units = {}) {
+  return [write, units](tools::Object& json, const Result& result) { write(json, result, units); };
+}
+
 // What results share as JSON (report/tools/schema.hpp). Where they come from: the command that gives them
 // again; beside them may stand the machine in SI units.
 void write_origin(tools::Object& json, const std::string& command);
@@ -38,11 +45,12 @@ void write_stability(tools::Object& json, const std::optional<numeric::motion::S
 // Of an attractor, what is known of it; with how many of the starts end on it.
 enum class Share { told, untold };
 void write_attractor(tools::Object& json, const numeric::attractors::Attractor& attractor, int digits,
-                     Share share = Share::told);
+                     const Units& units, Share share = Share::told);
 // "parameters": {"chi", ..., "p", "ur"}.
 void write_parameters(tools::Object& json, const numeric::words::WordQuestion& machine);
 // "durations" of a motion's phases.
-void write_durations(tools::Object& json, const numeric::motion::Motion& motion, int digits);
+void write_durations(tools::Object& json, const numeric::motion::Motion& motion, int digits,
+                     const Units& units);
 // Keywords of the schema: of a word of phases, of how many periods of the load.
 [[nodiscard]] tools::Json like_word();
 [[nodiscard]] tools::Json like_periods();

@@ -21,38 +21,26 @@ using model::Vector4;
 
 namespace {
 
-// Of a component over what is drawn, with a margin: never empty.
-struct Extent {
-  double least, greatest;
-};
-Extent extent(const Portrait& p, int component) {
-  Extent e{p.samples.front().X(component), p.samples.front().X(component)};
-  for (const Sample& s : p.samples) {
-    e = {std::min(e.least, s.X(component)), std::max(e.greatest, s.X(component))};
-  }
-  return e;
+// Of a component over what is drawn, and with a margin.
+Extremes extent(const Portrait& p, int component) {
+  return extremes(p.samples, [&](const Sample& s) { return s.X(component); });
 }
-Extent widened(const Extent& e, double share) {
+Extremes extent_once(const Portrait& p, int component) {
+  return extremes(p.once, [&](const Vector4<double>& X) { return X(component); });
+}
+Extremes widened(const Extremes& e) {
   const double width = e.greatest - e.least;
   const double size = std::max({std::abs(e.least), std::abs(e.greatest), 1e-300});
-  const double margin = width > 1e-12 * size ? share * width : 0.1 * size;
+  const double margin = width > 1e-12 * size ? 0.06 * width : 0.1 * size;
   return {e.least - margin, e.greatest + margin};
 }
 
 // The ranges of the axes of one panel.
-Json ranges(const Extent& x, const Extent& y) {
+Json ranges(const Extremes& x, const Extremes& y) {
   return {{"left", fmt::format("{:.8g}", x.least)},
           {"right", fmt::format("{:.8g}", x.greatest)},
           {"bottom", fmt::format("{:.8g}", y.least)},
           {"top", fmt::format("{:.8g}", y.greatest)}};
-}
-
-Extent extent_once(const Portrait& p, int component) {
-  Extent e{p.once.front()(component), p.once.front()(component)};
-  for (const Vector4<double>& X : p.once) {
-    e = {std::min(e.least, X(component)), std::max(e.greatest, X(component))};
-  }
-  return e;
 }
 
 // The place in a state of mass k of the labels.
@@ -112,11 +100,10 @@ std::string plot_script(const Portrait& p, PlotFormat format, PlotShape shape, c
   for (const Vector4<double>& X : p.once) {
     once += fmt::format("{:.8g} {:.8g}\n", X(1), X(3));
   }
-  constexpr double margin = 0.06;
   Json portraits = Json::array();
   for (std::size_t k = 0; k < labels.masses.size(); ++k) {
     const int at = place(labels, k);
-    Json panel = ranges(widened(extent(p, at), margin), widened(extent(p, at + 2), margin));
+    Json panel = ranges(widened(extent(p, at)), widened(extent(p, at + 2)));
     panel["title"] = fmt::format("Mass {}", labels.masses[k] + 1);
     panel["x"] = axis(labels, "x", labels.masses[k], "m");
     panel["y"] = axis(labels, "x'", labels.masses[k], "m/s");
@@ -125,7 +112,7 @@ std::string plot_script(const Portrait& p, PlotFormat format, PlotShape shape, c
   }
   Json section = nullptr;
   if (!p.once.empty()) {
-    section = ranges(widened(extent_once(p, 1), margin), widened(extent_once(p, 3), margin));
+    section = ranges(widened(extent_once(p, 1)), widened(extent_once(p, 3)));
     section["x"] = axis(labels, "x", labels.masses.back(), "m");
     section["y"] = axis(labels, "x'", labels.masses.back(), "m/s");
     section["once"] = once;
@@ -146,8 +133,8 @@ std::string picture_in_words(const Portrait& p, const PortraitLabels& labels) {
                                     : fmt::format("The motion over {} {} of the load:", p.drawn,
                                                   p.drawn == 1 ? "period" : "periods");
   for (std::size_t k = 0; k < labels.masses.size(); ++k) {
-    const Extent x = extent(p, place(labels, k));
-    const Extent velocity = extent(p, place(labels, k) + 2);
+    const Extremes x = extent(p, place(labels, k));
+    const Extremes velocity = extent(p, place(labels, k) + 2);
     text += fmt::format(" x{} goes from {:.3g} to {:.3g}, its velocity from {:.3g} to {:.3g};",
                         labels.masses[k] + 1, x.least, x.greatest, velocity.least, velocity.greatest);
   }

@@ -1,6 +1,7 @@
 // Attractors as pictures: phase portraits, and the states once a period of the load.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <string>
@@ -33,6 +34,16 @@ struct Portrait {
 // followed.
 [[nodiscard]] Portrait portrait(const numeric::words::WordQuestion& machine,
                                 const numeric::attractors::Attractor& attractor, const Units& units = {});
+
+// Of a number of each member: never empty.
+template <class Range, class Of>
+[[nodiscard]] numeric::simulation::Extremes extremes(const Range& range, const Of& of) {
+  numeric::simulation::Extremes e{of(*range.begin()), of(*range.begin())};
+  for (const auto& member : range) {
+    e = {std::min(e.least, of(member)), std::max(e.greatest, of(member))};
+  }
+  return e;
+}
 
 // Which masses they are, counted from 0: one or two, the one on the belt last.
 struct PortraitLabels {

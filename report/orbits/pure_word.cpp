@@ -117,13 +117,13 @@ std::string terminal_report(const PureWord& word, const Style& style, const Unit
 }
 
 Json to_json(const PureWord& word, const Units& units) {
-  return written(word, [&](Object& json, const PureWord& it) { write_pure(json, it, units); });
+  return written(word, in_units(write_pure, units));
 }
 
 File pure_schema() {
   const PureWord sample{SampleOf<WordQuestion>::made(), PhaseKind::slip};
   return schema_file("pure", "stickslip orbits S, O or T: motions of one phase, for ever",
-                     schema_by(sample, [](Object& json, const PureWord& it) { write_pure(json, it, {}); }));
+                     schema_by(sample, in_units(write_pure)));
 }
 
 }  // namespace stickslip::report::orbits

@@ -121,7 +121,8 @@ std::string command_of(const Simulated& simulated) {
   return command + (simulated.every ? fmt::format(" --every={}", *simulated.every) : "");
 }
 
-void write_simulation(Object& json, const Simulated& simulated) {
+// The record is in the units.
+void write_simulation(Object& json, const Simulated& simulated, const Units& units) {
   const Record& record = simulated.record;
   write_origin(json, command_of(simulated));
   json.object("parameters", [&](Object& to) {
@@ -147,8 +148,8 @@ void write_simulation(Object& json, const Simulated& simulated) {
   write_events(json, record, write_event);
   json.object_if(
       "settles", simulated.settles,
-      [](Object& to, const numeric::attractors::Attractor& a) {
-        write_attractor(to, a, digits_of_proof, Share::untold);
+      [&](Object& to, const numeric::attractors::Attractor& a) {
+        write_attractor(to, a, digits_of_proof, units, Share::untold);
       },
       "What the motion settles on when it goes on from its end: an attractor without shares; the proof is of "
       "orbits alone.");
@@ -156,13 +157,14 @@ void write_simulation(Object& json, const Simulated& simulated) {
 
 }  // namespace
 
-Json to_json(const Simulated& simulated) {
-  return written(simulated, write_simulation);
+Json to_json(Simulated simulated, const Units& units) {
+  simulated.record = units.record(simulated.record);
+  return written(simulated, in_units(write_simulation, units));
 }
 
 File simulation_schema() {
   return schema_file("simulation", "stickslip simulate: a motion under the friction law, in double",
-                     schema_by(Simulated{}, write_simulation));
+                     schema_by(Simulated{}, in_units(write_simulation)));
 }
 
 namespace {

@@ -29,8 +29,9 @@ struct Simulated {
 [[nodiscard]] std::string terminal_report(const Simulated& simulated, const tools::Style& style,
                                           const Units& units = {});
 
-// Numbers are in double. Absent: the energy without samples, `settles` where it was not seen.
-[[nodiscard]] tools::Json to_json(const Simulated& simulated);
+// Numbers are in double, all but the data in the units. Absent: the energy without samples, `settles` where
+// it was not seen.
+[[nodiscard]] tools::Json to_json(Simulated simulated, const Units& units = {});
 [[nodiscard]] tools::File simulation_schema();
 
 // A line of names, with their units if they are in SI; a line for a sample: t, phase, x1, x2, x1', x2', r, u,

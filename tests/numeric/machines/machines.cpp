@@ -269,11 +269,11 @@ TEST_CASE("without damping the orbit is the paper's, condition for condition") {
   REQUIRE(orbit.existence.truth == Truth::proved);
   CHECK(word_of(orbit.pieces) == "OTS");
   CHECK(orbit.admissible.truth == Truth::proved);
-  words::Guess guess;
+  MachineGuess guess;
   for (const MachinePhase& phase : orbit.phases) {
     const double t = (orbit.load.approximate() / 0.6289) + phase.start.approximate();
-    guess.events.push_back({t, phase.state(0).approximate(), phase.state(1).approximate(),
-                            phase.state(2).approximate(), phase.piece.kind});
+    const Eigen::VectorXd X = phase.state.unaryExpr([](const Ball& x) { return x.approximate(); });
+    guess.events.push_back({t, X, {phase.piece.kind}});
   }
   const words::WordOrbit same = words::prove_word_orbit({O(), ur_of_O}, guess);
   REQUIRE(same.existence.truth == Truth::proved);

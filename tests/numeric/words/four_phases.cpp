@@ -67,9 +67,9 @@ Counts check_boxes(const P& problem, const FlowClosing& f, std::mt19937& generat
     for (int i = 0; i < 3; ++i) {
       X(i) = Ball(x(i)) + Ball::hull(Ball(-1e-6), Ball(1e-6));
     }
-    const zeros::Decision<3> decision = families::LinearEliminant<P>::decide(problem, X);
-    CHECK_FALSE(decision.empty);
-    counts.decided += decision.found ? 1 : 0;
+    const zeros::ZeroProof<3> decision = families::LinearEliminant<P>::decide(problem, X);
+    CHECK(decision.verdict.truth != Truth::refuted);
+    counts.decided += decision.verdict.truth == Truth::proved ? 1 : 0;
     ++counts.orbits;
   }
   return counts;

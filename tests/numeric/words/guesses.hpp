@@ -1,10 +1,13 @@
 // Guesses for orbits of words: from orbits that are proved already, and from simulations.
 #pragma once
 
+#include "numeric/machines/machine_orbit.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "numeric/words/word_orbit.hpp"
 
 namespace stickslip::numeric::words {
+
+using Guess = machines::MachineGuess;
 
 // From a motion over so many periods, rounded to double; `again` takes it as many times.
 [[nodiscard]] inline Guess guess_of(const motion::Motion& motion, long periods = 1, long again = 1) {
@@ -14,8 +17,9 @@ namespace stickslip::numeric::words {
   for (long round = 0; round < again; ++round) {
     for (const motion::PhaseOf<double>& phase : m.phases) {
       const double t = m.phases.front().load / m.oscillator.data.omega + phase.start;
-      guess.events.push_back({t + static_cast<double>(round) * period, phase.Z(0) + m.oscillator.d0(0),
-                              phase.Z(1) + m.oscillator.d0(1), phase.Z(2), phase.kind});
+      const model::Vector4<double> X(phase.Z(0) + m.oscillator.d0(0), phase.Z(1) + m.oscillator.d0(1),
+                                     phase.Z(2), m.oscillator.data.V);
+      guess.events.push_back({t + static_cast<double>(round) * period, X, {phase.kind}});
     }
   }
   return guess;
@@ -31,7 +35,7 @@ namespace stickslip::numeric::words {
   s.advance(static_cast<double>(n) * s.period(), &log);
   Guess guess{{}, n};
   for (const simulation::Transition& t : log) {
-    guess.events.push_back({t.time - lead, t.X(0), t.X(1), t.X(2), t.after});
+    guess.events.push_back({t.time - lead, t.X, {t.after}});
   }
   return guess;
 }

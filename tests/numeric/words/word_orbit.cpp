@@ -239,9 +239,10 @@ TEST_CASE("a closed motion that is late in its own order is refuted") {
   const Orbit& orbit = admissible_one(list);
   Guess guess = guess_of(orbit.motion);
   for (Guess::Event& event : guess.events) {
-    event.begins = event.begins == PhaseKind::slip        ? PhaseKind::overshoot
-                   : event.begins == PhaseKind::overshoot ? PhaseKind::slip
-                                                          : event.begins;
+    PhaseKind& kind = event.begins.kind;
+    kind = kind == PhaseKind::slip        ? PhaseKind::overshoot
+           : kind == PhaseKind::overshoot ? PhaseKind::slip
+                                          : kind;
   }
   const WordOrbit found = prove_word_orbit({O(), rounded(orbit.value("ur"), 25), 20}, guess);
   const bool admissible =

@@ -41,7 +41,9 @@ struct Diagonal {
 
 template <int N, class F>
 SearchResult<N> search_all(const F& f, const Cell<N>& domain, const SearchLimits& limits = {}) {
-  return search<N>(domain, KrawczykContractor<N, F>{f}, KrawczykDecider<N, F>{f}, limits);
+  return search<N>(
+      domain, [&](const Box<N>& X) { return contract_by_krawczyk<N>(f, X); },
+      [&](const Box<N>& X) { return decide_by_krawczyk<N>(f, X); }, limits);
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ TEST_CASE("all zeros on a line, each once, ends included") {
   for (int k = 0; k < 7; ++k) {
     const Ball exact = Ball(k) * Ball::pi() / Ball(10);
     CHECK(std::count_if(result.zeros.begin(), result.zeros.end(),
-                        [&](const FoundZero<1>& z) { return z.zero(0).overlaps(exact); }) == 1);
+                        [&](const ZeroProof<1>& z) { return z.box(0).overlaps(exact); }) == 1);
   }
 }
 
@@ -86,7 +88,7 @@ void check_that_nothing_is_lost(const SearchResult<1>& result) {
   for (int k = 0; k < 7; ++k) {
     const Ball exact = Ball(k) * Ball::pi() / Ball(10);
     const bool found = std::any_of(result.zeros.begin(), result.zeros.end(),
-                                   [&](const FoundZero<1>& z) { return z.zero(0).overlaps(exact); });
+                                   [&](const ZeroProof<1>& z) { return z.box(0).overlaps(exact); });
     const bool open = std::any_of(result.unresolved.begin(), result.unresolved.end(),
                                   [&](const UnresolvedBox<1>& u) { return u.box(0).overlaps(exact); });
     CHECK((found || open));
@@ -100,7 +102,7 @@ TEST_CASE("a caller may say which side of a cell is halved, until it is small: t
   const auto contract = [](const Box<2>& X) {
     return X(0).contains(Ball(Rational(1, 3)).midpoint()) ? std::optional(X) : std::nullopt;
   };
-  const auto decide = [](const Box<2>&) { return Decision<2>{std::nullopt, false, "open"}; };
+  const auto decide = [](const Box<2>& X) { return ZeroProof<2>{Verdict::undecided("open"), X, X}; };
   const SearchLimits limits{0x1p-6, 100000};
   const Cell<2> domain{{0, 0}, {1, 1}};
   const SearchResult<2> by_longest = search<2>(domain, contract, decide, limits);
@@ -156,14 +158,14 @@ TEST_CASE("an interrupted search stops and loses nothing") {
   {
     const Interruptible scope;
     std::atomic<int> asked = 0;  // by the threads that examine a batch
-    const KrawczykContractor<1, Ripple> contractor{};
     const auto interrupted_contractor = [&](const Box<1>& X) {
       if (++asked == 4) {
         std::raise(SIGINT);
       }
-      return contractor(X);
+      return contract_by_krawczyk<1>(Ripple{}, X);
     };
-    part = search<1>({{0}, {2}}, interrupted_contractor, KrawczykDecider<1, Ripple>{});
+    part = search<1>({{0}, {2}}, interrupted_contractor,
+                     [](const Box<1>& X) { return decide_by_krawczyk<1>(Ripple{}, X); });
     CHECK(asked >= 4);
     CHECK(asked < whole.cells);
   }
