@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/names.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/symbols/table.hpp"
@@ -25,20 +26,9 @@ namespace {
 constexpr std::size_t unlimited = 1U << 20U;
 
 std::string colour_of(Status status, const Style& style) {
-  if (!style.colour) {
-    return {};
-  }
-  switch (facts(status).tone) {
-    case proofs::methods::Tone::quiet:
-      return {};
-    case proofs::methods::Tone::good:
-      return "\x1b[32m";
-    case proofs::methods::Tone::notable:
-      return "\x1b[33m";
-    case proofs::methods::Tone::bad:
-      return "\x1b[31m";
-  }
-  return {};
+  const proofs::methods::Tone tone = facts(status).tone;
+  return style.colour ? name_of<proofs::methods::Tone::bad>(tone, "", "\x1b[32m", "\x1b[33m", "\x1b[31m")
+                      : "";
 }
 
 Cell status_cell(const Record& record, const Style& style) {
