@@ -9,6 +9,7 @@
 #include "numeric/families/isolate.hpp"
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/through_phases.hpp"
+#include "numeric/machines/machine_orbit.hpp"
 
 namespace stickslip::numeric::words {
 
@@ -33,17 +34,6 @@ bool is_searched(const Word& word) {
 // How often OS is repeated; 0 for other words.
 long turns(const Word& word) {
   return sticks(word) ? 0 : static_cast<long>(word.size()) / 2;
-}
-
-Guess guess_of(const Motion& motion, long periods) {
-  const model::Oscillator<Ball>& o = motion.oscillator;
-  Guess guess{{}, periods};
-  const double begin = Ball(motion.phases.front().load / o.data.omega).approximate();
-  for (const Phase& phase : motion.phases) {
-    guess.events.push_back({begin + phase.start.approximate(), Ball(phase.Z(0) + o.d0(0)).approximate(),
-                            Ball(phase.Z(1) + o.d0(1)).approximate(), phase.Z(2).approximate(), phase.kind});
-  }
-  return guess;
 }
 
 // Whether the motion, taken so many times, is the zero, whichever phase it begins with.
@@ -72,7 +62,7 @@ bool is_zero(const Isolated& zero, Motion motion, long times) {
 // The zero as an orbit, or left open; nothing if it is a shorter orbit taken several times.
 Concluded<WordOrbit> conclude(const WordQuestion& q, long periods, const Isolated& zero) {
   const WorkingPrecision scope(families::guess_bits);
-  WordOrbit orbit = prove_word_orbit(q, guess_of(zero.guess, periods));
+  WordOrbit orbit = prove_word_orbit(q, machines::guess_of(zero.guess, periods));
   if (orbit.existence.truth != Truth::proved) {
     return Unresolved{zero.where, orbit.existence.reason};
   }
