@@ -81,12 +81,12 @@ Examined examine(const AuditOptions& options, const Paper& paper, const proofs::
 ExitCode print_interrupted(const Examined& examined, const AuditOptions& options, const Paper& paper) {
   const proofs::methods::Audit& audit = examined.audit;
   if (options.json) {
-    report::tools::Json json = report::audit::to_json(paper, audit, command_of(options));
+    report::tools::Json json = report::audit::to_json({paper, audit}, command_of(options));
     json["interrupted"] = true;
     print(report::tools::to_text(json));
   } else {
     const std::string also = options.mutants ? "; wrong statements are not listed" : "";
-    print(report::audit::terminal_report(paper, audit, terminal_style()) +
+    print(report::audit::terminal_report({paper, audit}, terminal_style()) +
           fmt::format("Interrupted: {} of {} claims were examined{}.\n", audit.records.size(),
                       paper.claims.size(), also));
   }
@@ -146,13 +146,13 @@ ExitCode run(const AuditOptions& options, const Paper& paper) {
   report::audit::Report made;
   if (options.out) {
     const Progress progress("making the pages ...");
-    made = report::audit::pages(paper, audit, figures, gate, certificates);
+    made = report::audit::pages({paper, audit}, figures, gate, certificates);
     report::tools::write_files(*options.out, made.files);
   }
   bool same = true;
   if (options.json || older) {
     const report::tools::Json json =
-        report::audit::to_json(paper, audit, command_of(options), figures.examples, gate, certificates);
+        report::audit::to_json({paper, audit}, command_of(options), figures.examples, gate, certificates);
     if (older) {
       const report::audit::Comparison comparison = report::audit::compare(*older, json);
       same = comparison.is_same();
@@ -161,7 +161,7 @@ ExitCode run(const AuditOptions& options, const Paper& paper) {
       print(report::tools::to_text(json));
     }
   } else {
-    print(report::audit::terminal_report(paper, audit, terminal_style(), certificates) +
+    print(report::audit::terminal_report({paper, audit}, terminal_style(), certificates) +
           (gate ? "\n" + report::audit::terminal_mutants(*gate, terminal_style()) : ""));
   }
   if (options.out) {

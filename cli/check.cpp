@@ -72,9 +72,9 @@ std::string command_line(const CheckOptions& options) {
 std::string answer(const ProveOptions& options, const methods::Paper& paper, const methods::Audit& audit) {
   if (options.json) {
     const std::string command = fmt::format("stickslip prove '{}'", options.statement);
-    return report::tools::to_text(report::audit::to_json(paper, audit, command));
+    return report::tools::to_text(report::audit::to_json({paper, audit}, command));
   }
-  return options.explain ? report::audit::terminal_explanations(paper, audit, terminal_style())
+  return options.explain ? report::audit::terminal_explanations({paper, audit}, terminal_style())
                          : report::audit::terminal_answer(audit.records.front(), terminal_style());
 }
 
@@ -93,11 +93,11 @@ ExitCode run(const CheckOptions& options, const proofs::methods::Paper& paper) {
   }
   const proofs::methods::Audit audit = audit_of(claims, wanted);
   if (options.json) {
-    print(report::tools::to_text(report::audit::to_json(paper, audit, command_line(options))));
+    print(report::tools::to_text(report::audit::to_json({paper, audit}, command_line(options))));
   } else if (options.explain) {
-    print(report::audit::terminal_explanations(paper, audit, terminal_style()));
+    print(report::audit::terminal_explanations({paper, audit}, terminal_style()));
   } else {
-    print(report::audit::terminal_lines(paper, audit, terminal_style()));
+    print(report::audit::terminal_lines({paper, audit}, terminal_style()));
   }
   return exit_of(audit, report::audit::any_refuted(audit));
 }

@@ -191,7 +191,7 @@ std::string theorem(const proofs::methods::Paper& paper, const std::string& id, 
   for (const proofs::methods::Result& result : paper.results) {
     if (result.id == id) {
       const std::set<std::string> claims(result.claims.begin(), result.claims.end());
-      return report::audit::theorem(paper, prove(paper.claims, claims), id);
+      return report::audit::theorem({paper, prove(paper.claims, claims)}, id);
     }
     known.push_back(result.id);
   }
@@ -222,7 +222,7 @@ LatexText latex_text(const LatexOptions& options, const proofs::methods::Paper& 
   if (!options.theorem.empty()) {
     return {theorem(paper, options.theorem, prove)};
   }
-  return {options.errata ? report::audit::errata(paper, prove(paper.claims, {}))
+  return {options.errata ? report::audit::errata({paper, prove(paper.claims, {})})
           : options.list ? symbolic::objects::list_of_objects()
           : options.bare ? bare_formulas(options, paper, prove)
                          : formulas(options, paper, prove)};

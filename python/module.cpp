@@ -331,7 +331,7 @@ std::string checked(const Paper& paper, const std::vector<std::string>& words, c
   }
   const proofs::methods::Audit audit =
       proofs::methods::audit(paper.claims, ids, [](const std::string&, std::size_t, std::size_t) {});
-  return report::audit::to_json(paper, audit, command).dump();
+  return report::audit::to_json({paper, audit}, command).dump();
 }
 
 std::string check(const std::vector<std::string>& words, const std::string& file, const Conduct& conduct) {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/names.hpp"
 #include "numeric/words/word.hpp"
 
 namespace stickslip::numeric::attractors {
@@ -340,23 +340,8 @@ template class FollowerOf<2, 1>;
 template class FollowerOf<Eigen::Dynamic, Eigen::Dynamic>;
 
 std::string to_string(Kind kind) {
-  switch (kind) {
-    case Kind::periodic:
-      return "periodic";
-    case Kind::quasi_periodic:
-      return "quasi-periodic";
-    case Kind::irregular:
-      return "irregular";
-    case Kind::slides:
-      return "slides";
-    case Kind::stuck:
-      return "stuck";
-    case Kind::grows:
-      return "grows without bound";
-    case Kind::unsettled:
-      return "unsettled";
-  }
-  throw InternalError("an attractor of no known kind");
+  return name_of<Kind::unsettled>(kind, "periodic", "quasi-periodic", "irregular", "slides", "stuck",
+                                  "grows without bound", "unsettled");
 }
 
 Interval wilson(long count, long total) {

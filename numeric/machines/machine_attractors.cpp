@@ -9,7 +9,7 @@
 
 #include "core/interruption.hpp"
 #include "numeric/attractors/survey.hpp"
-#include "numeric/machines/reaching.hpp"
+#include "numeric/machines/neighbourhood.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {

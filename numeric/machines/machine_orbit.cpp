@@ -236,6 +236,18 @@ MachineGuess guess_of(const MachineOrbit& orbit, const Machine& machine) {
   return guess;
 }
 
+MachineGuess guess_of(const Motion& motion, long periods) {
+  const model::Oscillator<Ball>& o = motion.oscillator;
+  MachineGuess guess{{}, periods, Ball(Ball(2 * periods) * Ball::pi() / o.data.omega).approximate()};
+  const double begin = Ball(motion.phases.front().load / o.data.omega).approximate();
+  for (const Phase& phase : motion.phases) {
+    model::Vector4<Ball> X = phase.Z;
+    X.head<2>() += o.d0;
+    guess.events.push_back({begin + phase.start.approximate(), zeros::in_double(X), {phase.kind}});
+  }
+  return guess;
+}
+
 double distance(const MachineGuess& a, const MachineGuess& b) {
   double farthest = std::abs(a.duration - b.duration) / b.duration;
   for (std::size_t i = 0; i < a.events.size(); ++i) {

@@ -112,6 +112,8 @@ struct MachineOrbit {
 
 // A proved motion as a guess, the load's phase being 0 at t = 0.
 [[nodiscard]] MachineGuess guess_of(const MachineOrbit& orbit, const Machine& machine);
+// Likewise one of the paper's oscillator, of at least a phase, over so many periods of the load.
+[[nodiscard]] MachineGuess guess_of(const motion::Motion& motion, long periods);
 
 // Between two motions through the same phases: the largest difference of durations and states at events, in
 // parts of the duration of the second and of its state there.

@@ -443,22 +443,12 @@ Neighbourhood neighbourhood_of(const Machine& machine, const MachineOrbit& orbit
 Neighbourhood neighbourhood_of(const words::WordQuestion& machine, const families::Orbit& orbit, long periods,
                                long most_phases) {
   const Machine same{model::friction_oscillator<Rational>(machine.data, machine.ur)};
-  const motion::Motion& m = orbit.motion;
-  const double omega = oscillator_as<double>(same).omega;
-  MachineGuess guess{{}, periods, 2 * std::numbers::pi * static_cast<double>(periods) / omega};
-  for (const motion::Phase& phase : m.phases) {
-    Eigen::VectorXd X(4);
-    for (int k = 0; k < 4; ++k) {
-      X(k) = Ball(k < 2 ? Ball(phase.Z(k) + m.oscillator.d0(k)) : phase.Z(k)).approximate();
-    }
-    guess.events.push_back(
-        {m.phases[0].load.approximate() / omega + phase.start.approximate(), X, {phase.kind, 0}});
-  }
   Neighbourhood none;
-  if (guess.events.size() < 2) {
+  if (orbit.motion.phases.size() < 2) {
     none.verdict = Verdict::undecided("the orbit is not proved to exist");
     return none;
   }
+  const MachineGuess guess = guess_of(orbit.motion, periods);
   const MachineOrbit proved = prove_machine_orbit(same, guess);
   if (proved.existence.truth == Truth::proved && !(distance(guess_of(proved, same), guess) < same_orbit)) {
     none.verdict = Verdict::undecided("as a machine in tables another orbit is proved");

@@ -1,5 +1,3 @@
-#include "numeric/machines/reaching.hpp"
-
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
+#include "numeric/machines/neighbourhood.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {

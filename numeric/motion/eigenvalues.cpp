@@ -15,27 +15,16 @@ namespace {
 
 class ComplexMatrix {
  public:
-  explicit ComplexMatrix(long n) { acb_mat_init(value_, n, n); }
+  ComplexMatrix(long rows, long columns) { acb_mat_init(value_, rows, columns); }
   ~ComplexMatrix() { acb_mat_clear(value_); }
   ComplexMatrix(const ComplexMatrix&) = delete;
   ComplexMatrix& operator=(const ComplexMatrix&) = delete;
   [[nodiscard]] acb_mat_struct * raw() { return value_; }
+  // The first row, whose numbers stand one after the other.
+  [[nodiscard]] acb_ptr row() { return acb_mat_entry(value_, 0, 0); }
 
  private:
   acb_mat_t value_;
-};
-
-class ComplexVector {
- public:
-  explicit ComplexVector(long n) : value_(_acb_vec_init(n)), n_(n) {}
-  ~ComplexVector() { _acb_vec_clear(value_, n_); }
-  ComplexVector(const ComplexVector&) = delete;
-  ComplexVector& operator=(const ComplexVector&) = delete;
-  [[nodiscard]] acb_ptr raw() { return value_; }
-
- private:
-  acb_ptr value_;
-  long n_;
 };
 
 bool overlap(const ComplexBall& a, const ComplexBall& b) {
@@ -74,10 +63,7 @@ void sort(std::vector<ComplexBall>& values) {
 std::optional<std::vector<ComplexBall>> eigenvalues(const SquareMatrix& matrix) {
   const long n = matrix.rows();
   const long bits = WorkingPrecision::bits();
-  ComplexMatrix A(n);
-  ComplexMatrix R(n);
-  ComplexVector approximate(n);
-  ComplexVector enclosed(n);
+  ComplexMatrix A(n, n), R(n, n), approximate(1, n), enclosed(1, n);
   for (long i = 0; i < n; ++i) {
     for (long j = 0; j < n; ++j) {
       if (!matrix(i, j).is_finite()) {
@@ -86,15 +72,15 @@ std::optional<std::vector<ComplexBall>> eigenvalues(const SquareMatrix& matrix) 
       acb_set_arb(acb_mat_entry(A.raw(), i, j), matrix(i, j).raw());
     }
   }
-  acb_mat_approx_eig_qr(approximate.raw(), nullptr, R.raw(), A.raw(), nullptr, 0, bits);
-  if (acb_mat_eig_multiple(enclosed.raw(), A.raw(), approximate.raw(), R.raw(), bits) == 0) {
+  acb_mat_approx_eig_qr(approximate.row(), nullptr, R.raw(), A.raw(), nullptr, 0, bits);
+  if (acb_mat_eig_multiple(enclosed.row(), A.raw(), approximate.row(), R.raw(), bits) == 0) {
     return std::nullopt;
   }
   std::vector<ComplexBall> values(static_cast<std::size_t>(n));
   for (long i = 0; i < n; ++i) {
     ComplexBall& value = values[static_cast<std::size_t>(i)];
-    arb_set(value.re.raw(), acb_realref(enclosed.raw() + i));
-    arb_set(value.im.raw(), acb_imagref(enclosed.raw() + i));
+    arb_set(value.re.raw(), acb_realref(enclosed.row() + i));
+    arb_set(value.im.raw(), acb_imagref(enclosed.row() + i));
     if (!value.re.is_finite() || !value.im.is_finite()) {
       return std::nullopt;
     }

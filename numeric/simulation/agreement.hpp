@@ -5,7 +5,7 @@
 #include <string>
 
 #include "numeric/orbits.hpp"
-#include "numeric/simulation/raw_law.hpp"
+#include "numeric/simulation/record.hpp"
 #include "numeric/simulation/simulation.hpp"
 
 namespace stickslip::numeric::simulation {

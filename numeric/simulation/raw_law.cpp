@@ -1,5 +1,9 @@
-#include "numeric/simulation/raw_law.hpp"
-
+// The equations of motion (2) with the friction law (4), integrated by Boost.Odeint: no H, Gamma, Q or any
+// other closed form. The independent witness of everything that rests on those.
+//
+// No event inside a step is missed, and no touch of zero: a stretch of a step is passed only when the value
+// of the event function in its middle, its rate and a bound of its second derivative, all read off (2), keep
+// it from zero there; else the stretch is halved. This holds for the integrated motion, up to rounding.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +20,7 @@
 #include <stdexcept>
 
 #include "core/domain.hpp"
+#include "numeric/simulation/record.hpp"
 
 namespace stickslip::numeric::simulation {
 

@@ -41,6 +41,13 @@ struct Run {
   model::Vector4<double> end;
 };
 
+// By the raw law alone (raw_law.cpp) follows the motion for the duration, with an error of each step,
+// relative and absolute, below 1e-12. Events by (4): x2' = V reached on a slip, where the mass sticks if |r|
+// < ur and slips to the side of r otherwise; |r| = ur reached on a stick. With us = ur = |r| it slips only if
+// |r| goes on to grow. Throws DomainError for a duration that is not finite and positive, InternalError when
+// the steps become too small, the motion is not finite, or (4) leaves open what follows.
+[[nodiscard]] Run follow_raw_law(const Start& start, double duration);
+
 // The friction at rest (4) at the load phase psi.
 [[nodiscard]] double friction_at_rest(const model::Parameters<double>& a, const model::Vector4<double>& X,
                                       double psi);

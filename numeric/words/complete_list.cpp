@@ -36,19 +36,6 @@ long turns(const Word& word) {
   return sticks(word) ? 0 : static_cast<long>(word.size()) / 2;
 }
 
-machines::MachineGuess guess_of(const Motion& motion, long periods) {
-  const model::Oscillator<Ball>& o = motion.oscillator;
-  machines::MachineGuess guess{{}, periods};
-  const double begin = Ball(motion.phases.front().load / o.data.omega).approximate();
-  for (const Phase& phase : motion.phases) {
-    const model::Vector4<double> X(Ball(phase.Z(0) + o.d0(0)).approximate(),
-                                   Ball(phase.Z(1) + o.d0(1)).approximate(), phase.Z(2).approximate(),
-                                   o.data.V.approximate());
-    guess.events.push_back({begin + phase.start.approximate(), X, {phase.kind}});
-  }
-  return guess;
-}
-
 // Whether the motion, taken so many times, is the zero, whichever phase it begins with.
 bool is_zero(const Isolated& zero, Motion motion, long times) {
   const std::vector<Phase> once = motion.phases;
@@ -75,7 +62,7 @@ bool is_zero(const Isolated& zero, Motion motion, long times) {
 // The zero as an orbit, or left open; nothing if it is a shorter orbit taken several times.
 Concluded<WordOrbit> conclude(const WordQuestion& q, long periods, const Isolated& zero) {
   const WorkingPrecision scope(families::guess_bits);
-  WordOrbit orbit = prove_word_orbit(q, guess_of(zero.guess, periods));
+  WordOrbit orbit = prove_word_orbit(q, machines::guess_of(zero.guess, periods));
   if (orbit.existence.truth != Truth::proved) {
     return Unresolved{zero.where, orbit.existence.reason};
   }

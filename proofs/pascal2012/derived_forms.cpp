@@ -7,7 +7,6 @@
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "symbolic/algebra/derive.hpp"
-#include "symbolic/algebra/evaluate.hpp"
 #include "symbolic/algebra/symbols.hpp"
 
 namespace stickslip::proofs::pascal2012 {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/names.hpp"
 #include "proofs/certificates/script.hpp"
 #include "proofs/certificates/statement_files.hpp"
 #include "report/tools/files.hpp"
@@ -259,8 +260,7 @@ std::vector<std::string> required_by(const std::string& text) {
 }
 
 std::string to_string(Certified::State state) {
-  constexpr std::array names{"unknown", "certified", "stale", "refused", "none"};
-  return names.at(static_cast<std::size_t>(state));
+  return name_of<Certified::State::none>(state, "unknown", "certified", "stale", "refused", "none");
 }
 
 namespace {

@@ -23,16 +23,16 @@ Json group(const std::string& title, const std::string& explanation) {
 }
 
 // What is known about the hypotheses that this claim brings in, as far as the claims that show it are proved.
-Json judgements_of(const Paper& paper, const proofs::methods::Audit& audit, const std::string& origin) {
+Json judgements_of(const Audited& all, const std::string& origin) {
   const auto is_shown = [&](const Judgement& judgement) {
     return std::ranges::all_of(judgement.shown_by, [&](const std::string& id) {
-      return std::ranges::any_of(audit.records, [&](const proofs::methods::Record& record) {
+      return std::ranges::any_of(all.audit.records, [&](const proofs::methods::Record& record) {
         return record.claim.id == id && record.outcome.verdict.truth == Truth::proved;
       });
     });
   };
   Json json = Json::array();
-  for (const Judgement& judgement : paper.judgements) {
+  for (const Judgement& judgement : all.paper.judgements) {
     if (judgement.origin == origin && is_shown(judgement)) {
       json.push_back({{"matters", judgement.matters ? "matters" : "does not matter"},
                       {"words", judgement.words},
@@ -42,7 +42,7 @@ Json judgements_of(const Paper& paper, const proofs::methods::Audit& audit, cons
   return json;
 }
 
-Json hypothesis_group(const Paper& paper, const proofs::methods::Audit& audit, const HypothesisGroup& g) {
+Json hypothesis_group(const Audited& all, const HypothesisGroup& g) {
   Json json = {{"hypotheses", Json::array()},     {"origins", Json::array()},
                {"inherited_by", g.inherited_by},  {"inherited_by_count", g.inherited_by.size()},
                {"status", to_string(g.status())}, {"matters", false}};
@@ -51,12 +51,12 @@ Json hypothesis_group(const Paper& paper, const proofs::methods::Audit& audit, c
   }
   for (const proofs::methods::Record * origin : g.origins) {
     json["matters"] = json.at("matters").get<bool>() ||
-                      std::ranges::any_of(paper.judgements, [&](const Judgement& judgement) {
+                      std::ranges::any_of(all.paper.judgements, [&](const Judgement& judgement) {
                         return judgement.origin == origin->claim.id && judgement.matters;
                       });
     json["origins"].push_back({{"id", origin->claim.id},
                                {"words", origin->claim.words},
-                               {"judgements", judgements_of(paper, audit, origin->claim.id)}});
+                               {"judgements", judgements_of(all, origin->claim.id)}});
   }
   return json;
 }
@@ -163,23 +163,23 @@ void add_erratum(Json& errata, const Json& one) {
 
 }  // namespace
 
-Json finding_data(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
+Json finding_data(const Audited& all, const std::vector<Json>& claims) {
   Json groups = empty_groups();
   const auto add = [&](const std::string& heading, const char * list, Json one) {
     Json& found = group_of(groups, heading);
     found[list].push_back(std::move(one));
     found["count"] = found.at("count").get<int>() + 1;
   };
-  for (const HypothesisGroup& g : hypothesis_groups(audit)) {
-    add(facts(g.status()).heading, "hypotheses_groups", hypothesis_group(paper, audit, g));
+  for (const HypothesisGroup& g : hypothesis_groups(all.audit)) {
+    add(facts(g.status()).heading, "hypotheses_groups", hypothesis_group(all, g));
   }
-  for (const Record * record : findings_by_weight(paper, audit)) {
+  for (const Record * record : findings_by_weight(all)) {
     if (needs_something(*record)) {
       continue;
     }
     const Json& claim =
         *std::ranges::find_if(claims, [&](const Json& one) { return one.at("id") == record->claim.id; });
-    const Remark * remark = remark_on(paper, record->claim.id);
+    const Remark * remark = remark_on(all.paper, record->claim.id);
     const bool number = record->status == Status::digits_off && compares(claim);
     add(heading_of(*record, remark), number ? "numbers" : "claims", claim);
   }

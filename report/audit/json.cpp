@@ -26,11 +26,12 @@ using namespace tools;
 
 namespace {
 
-// The paper, what the audit says of it, and what Coq said.
-struct Audited {
-  const Paper& paper;
-  const Audit& audit;
-  const Certification& certificates = {};
+// All that the JSON is made of.
+struct Written : Audited {
+  const std::string& command;
+  const std::vector<ExampleOrbits>& examples;
+  const std::optional<proofs::checks::Gate>& gate;
+  const Certification& certificates;
 };
 
 // A printed number.
@@ -170,7 +171,7 @@ void write_result(Object& json, const Result& r) {
   json.has("claims", r.claims, {{"minItems", 1}});
 }
 
-void write_claim(Object& json, const Record& record, const Audited& all) {
+void write_claim(Object& json, const Record& record, const Written& all) {
   const Claim& c = record.claim;
   json.has("id", c.id);
   json.has("place", c.place);
@@ -207,13 +208,13 @@ void write_status_count(Object& json, const StatusCount& entry, bool of_claims) 
   json.has("count", entry.count);
 }
 
-void write_summary(Object& json, const Audited& all) {
+void write_summary(Object& json, const Written& all) {
   const auto of_statements = [](Object& to, const StatusCount& entry) {
     write_status_count(to, entry, false);
   };
   json.has("statements", statements_in(all.paper, all.audit).size(),
            "How many statements of the paper are answered.");
-  json.list("statuses", count_statements(all.paper, all.audit), of_statements);
+  json.list("statuses", count_statements(all), of_statements);
   json.has("claims", all.audit.records.size());
   json.list("origins", count_origins(all.audit), [](Object& to, const OriginCount& entry) {
     to.has("origin", entry.origin, names_through(Origin::auxiliary));
@@ -223,7 +224,7 @@ void write_summary(Object& json, const Audited& all) {
             [](Object& one, const StatusCount& status) { write_status_count(one, status, true); });
   });
   json.has("decided", all_decided(all.audit));
-  json.has("line", summary_line(all.paper, all.audit));
+  json.has("line", summary_line(all));
   json.has("certificates", all.certificates.line,
            "How many claims Coq certified, in a sentence or two; empty if nobody looked.");
 }
@@ -266,15 +267,8 @@ void write_example(Object& json, const ExampleOrbits& e) {
   json.object("orbits", [&](Object& to) { orbits::write_orbits(to, e.list); });
 }
 
-// What the JSON is made of beside what was audited.
-struct Beside {
-  const std::string& command;
-  const std::vector<ExampleOrbits>& examples;
-  const std::optional<proofs::checks::Gate>& gate;
-};
-
-void write_audit(Object& json, const Audited& all, const Beside& beside) {
-  write_provenance(json, beside.command, not_empty);  // that of another paper has a program of its own
+void write_audit(Object& json, const Written& all) {
+  write_provenance(json, all.command, not_empty);  // that of another paper has a program of its own
   json.object("paper", [&](Object& to) { write_bibliography(to, all.paper.bibliography); });
   json.object("summary", [&](Object& to) { write_summary(to, all); });
   json.list(
@@ -283,18 +277,18 @@ void write_audit(Object& json, const Audited& all, const Beside& beside) {
       "The paper's statements, in words of our own: all in an audit; of stickslip check those whose claims "
       "were "
       "all asked for.");
-  json.list("places", by_place(all.paper, all.audit), [&](Object& to, const PlaceRecords& place) {
+  json.list("places", by_place(all), [&](Object& to, const PlaceRecords& place) {
     to.has("id", place.id);
     to.has("title", place.title);
     to.list("claims", place.records,
             [&](Object& one, const Record& record) { write_claim(one, record, all); });
   });
-  json.list("results", results_in(all.paper, all.audit), write_result,
+  json.list("results", results_in(all), write_result,
             "What the audit found beyond the paper, the strongest first.");
-  json.list("examples", beside.examples, write_example,
+  json.list("examples", all.examples, write_example,
             "All orbits at the data of the paper's figures; empty for stickslip check.");
   json.or_null(
-      "mutants", beside.gate, write_gate,
+      "mutants", all.gate, write_gate,
       "Wrong statements made on purpose by single edits, put to the claims' own proofs; null where that was "
       "not "
       "asked for. Refuted: fails where all that the claim rests on holds; unproved: the proof does not go "
@@ -309,12 +303,9 @@ void write_audit(Object& json, const Audited& all, const Beside& beside) {
 
 }  // namespace
 
-Json to_json(const Paper& paper, const Audit& audit, const std::string& command,
-             const std::vector<ExampleOrbits>& examples, const std::optional<proofs::checks::Gate>& gate,
-             const Certification& certificates) {
-  return written(Audited{paper, audit, certificates}, [&](Object& json, const Audited& all) {
-    write_audit(json, all, {command, examples, gate});
-  });
+Json to_json(const Audited& all, const std::string& command, const std::vector<ExampleOrbits>& examples,
+             const std::optional<proofs::checks::Gate>& gate, const Certification& certificates) {
+  return written(Written{all, command, examples, gate, certificates}, write_audit);
 }
 
 File schema() {
@@ -322,9 +313,7 @@ File schema() {
   const Audit audit;
   return schema_file("audit",
                      "stickslip audit: every statement of the paper, and every claim, with its verdict",
-                     schema_by(Audited{paper, audit, {}}, [](Object& json, const Audited& all) {
-                       write_audit(json, all, {"stickslip audit", {}, {}});
-                     }));
+                     schema_by(Written{{paper, audit}, "stickslip audit", {}, {}, {}}, write_audit));
 }
 
 }  // namespace stickslip::report::audit

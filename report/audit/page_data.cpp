@@ -48,7 +48,6 @@ void complete_comparison(Json& json, const proofs::methods::Comparison& comparis
 
 void complete_outcome(Json& json, const proofs::methods::Outcome& outcome, const std::string& id) {
   add_words(json, "verdict");
-  json["verdict_capital"] = capitalised(json.at("verdict_words"));
   json["route"] = outcome.route;
   json["evaluated"] = outcome.cross_check.formulas > 0;
   json["reason"] = outcome.verdict.reason;
@@ -110,9 +109,9 @@ Json remark_sentences(const Remark& remark, Origin origin, const proofs::methods
 }
 
 // The paper's statements that the audit answers, section by section.
-Json printed_sections(const Paper& paper, const proofs::methods::Audit& audit, const Json& statements) {
+Json printed_sections(const Audited& all, const Json& statements) {
   Json sections = Json::array();
-  const std::vector<const PrintedStatement *> answered = statements_in(paper, audit);
+  const std::vector<const PrintedStatement *> answered = statements_in(all.paper, all.audit);
   for (std::size_t i = 0; i < answered.size(); ++i) {
     Json one = statements.at(i);
     add_words(one, "status");
@@ -176,9 +175,9 @@ Json statuses_met(const Json& summary) {
   return met;
 }
 
-Json results(const Paper& paper, const proofs::methods::Audit& audit, const std::vector<Json>& claims) {
-  Json all = Json::array();
-  for (const Result& result : results_in(paper, audit)) {
+Json results(const Audited& all, const std::vector<Json>& claims) {
+  Json told = Json::array();
+  for (const Result& result : results_in(all)) {
     Json one = {{"id", result.id},
                 {"title", result.title},
                 {"setting", result.setting},
@@ -199,14 +198,14 @@ Json results(const Paper& paper, const proofs::methods::Audit& audit, const std:
     }
     static const std::regex number(R"(\([0-9]+\))");
     one["cites"] = std::regex_search(result.setting + result.theorem, number);
-    all.push_back(std::move(one));
+    told.push_back(std::move(one));
   }
-  return all;
+  return told;
 }
 
 }  // namespace
 
-Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Json& json) {
+Json page_data(const Audited& all, const Json& json) {
   Json data = json;
   std::vector<Json> claims;
   data["numbers"] = Json::array();
@@ -226,17 +225,17 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
       data["claim_statuses"].push_back(status);
     }
   }
-  data["sections"] = printed_sections(paper, audit, data.at("statements"));
-  const std::vector<PlaceRecords> places = by_place(paper, audit);
+  data["sections"] = printed_sections(all, data.at("statements"));
+  const std::vector<PlaceRecords> places = by_place(all);
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t k = 0; k < places[i].records.size(); ++k) {
       const Record& record = *places[i].records[k];
       Json& claim = data.at("places").at(i).at("claims").at(k);
       complete_claim(claim, record, places[i].title);
-      claim["states"] = stated_by(paper, record.claim.id);
+      claim["states"] = stated_by(all.paper, record.claim.id);
       add_assumptions(data["assumptions"], claim);
-      const Remark * remark = remark_on(paper, record.claim.id);
-      claim["letter"] = remark ? remark_sentences(*remark, record.claim.origin, audit) : Json();
+      const Remark * remark = remark_on(all.paper, record.claim.id);
+      claim["letter"] = remark ? remark_sentences(*remark, record.claim.origin, all.audit) : Json();
       if (!claim.at("remark").is_null()) {
         claim["remark"] = claim.at("letter");
       }
@@ -246,14 +245,14 @@ Json page_data(const Paper& paper, const proofs::methods::Audit& audit, const Js
       }
     }
   }
-  data["errata"] = errata_data(paper, claims);
-  data["results"] = results(paper, audit, claims);
-  data["findings"] = finding_data(paper, audit, claims);
+  data["errata"] = errata_data(all.paper, claims);
+  data["results"] = results(all, claims);
+  data["findings"] = finding_data(all, claims);
   data["hypotheses_to_add"] = hypotheses_to_add(claims, data.at("findings"));
-  data["verdict_lead"] = verdict_lead(paper, audit);
-  data["verdict_sentence"] = verdict_sentence(paper, audit);
-  data["sentence_of_ours"] = sentence_of_ours(audit);
-  data["sentence_of_findings"] = sentence_of_findings(paper, audit);
+  data["verdict_lead"] = verdict_lead(all);
+  data["verdict_sentence"] = verdict_sentence(all);
+  data["sentence_of_ours"] = sentence_of_ours(all.audit);
+  data["sentence_of_findings"] = sentence_of_findings(all);
   return data;
 }
 

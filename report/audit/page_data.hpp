@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "proofs/methods/paper.hpp"
+#include "report/audit/summary.hpp"
 #include "report/tools/json.hpp"
 
 namespace stickslip::report::audit {
@@ -18,8 +18,7 @@ namespace stickslip::report::audit {
 // printed numbers; "errata", what there is to correct, each {"place", "remark" or null, "misprint",
 // "printed", "corrected", "numbers"}; "results", each with "found", what its claims found where that is a
 // part of it; "findings" (finding_data) and "hypotheses_to_add".
-[[nodiscard]] tools::Json page_data(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
-                                    const tools::Json& json);
+[[nodiscard]] tools::Json page_data(const Audited& all, const tools::Json& json);
 
 // The findings as the templates see them.
 
@@ -32,9 +31,7 @@ namespace stickslip::report::audit {
 // {"title", "explanation", "count", "claims", "numbers", "hypotheses_groups": [{"hypotheses", "origins":
 // [{"id", "words"}], "inherited_by", "inherited_by_count"}]}. `claims` are those of page_data, one for
 // each record of the audit.
-[[nodiscard]] tools::Json finding_data(const proofs::methods::Paper& paper,
-                                       const proofs::methods::Audit& audit,
-                                       const std::vector<tools::Json>& claims);
+[[nodiscard]] tools::Json finding_data(const Audited& all, const std::vector<tools::Json>& claims);
 
 // What a letter to the journal would correct.
 
@@ -54,7 +51,6 @@ namespace stickslip::report::audit {
 // {"parts": [{"id", "title", "short": the title without its subject, "rests_on": [{"id", "title"}], "row":
 // [{"short", "count", "weight"}]}]}: a part for every place; its row has for every place how many of its
 // claims the proofs of the part use ("" if none), and 1 to 4 by how many these are (0 if none).
-[[nodiscard]] tools::Json uses_of_places(const proofs::methods::Paper& paper,
-                                         const proofs::methods::Audit& audit);
+[[nodiscard]] tools::Json uses_of_places(const Audited& all);
 
 }  // namespace stickslip::report::audit

@@ -122,23 +122,22 @@ Figures figures_of(const Paper& paper, bool with_pictures) {
   return figures;
 }
 
-Report pages(const Paper& paper, const proofs::methods::Audit& audit, const Figures& figures,
-             const std::optional<proofs::checks::Gate>& gate, const Certification& certificates,
-             const std::string& command) {
-  const Json json = to_json(paper, audit,
+Report pages(const Audited& all, const Figures& figures, const std::optional<proofs::checks::Gate>& gate,
+             const Certification& certificates, const std::string& command) {
+  const Json json = to_json(all,
                             !command.empty() ? command
                             : gate           ? "stickslip audit --mutants"
                                              : "stickslip audit",
                             figures.examples, gate, certificates);
   Report report{{{"audit.json", to_text(json)}}, {}};
-  Json data = page_data(paper, audit, json);
+  Json data = page_data(all, json);
   add_meanings(data, OrbitQuestion{}.digits);
   data["examples"] = Json::array();
   for (const ExampleOrbits& e : figures.examples) {
     data["examples"].push_back(example_data(e));
   }
   append(report.files, figures.pictures);
-  data["uses"] = uses_of_places(paper, audit);
+  data["uses"] = uses_of_places(all);
   data["page_title"] = "The orbits of the paper’s figures";
   data["lists"] = data.at("examples");
   add_paper_and_pages(report, "audit", std::move(data), [&](const Json& complete) {
@@ -159,20 +158,20 @@ std::string write_report(const Paper& paper, const proofs::methods::Audit& audit
                          const std::filesystem::path& directory, const std::string& command) {
   require_writable(directory);
   require_page_tools();
-  const Report made = pages(paper, audit, figures_of(paper, true), {}, {}, command);
+  const Report made = pages({paper, audit}, figures_of(paper, true), {}, {}, command);
   write_files(directory, made.files);
   return made.note;
 }
 
-std::string errata(const Paper& paper, const proofs::methods::Audit& audit) {
-  Json data = page_data(paper, audit, to_json(paper, audit, "stickslip latex --errata", {}));
-  data["text_read"] = paper.bibliography.text;
+std::string errata(const Audited& all) {
+  Json data = page_data(all, to_json(all, "stickslip latex --errata", {}));
+  data["text_read"] = all.paper.bibliography.text;
   return render_file("errata.tex", data, tex_format);
 }
 
-std::string theorem(const Paper& paper, const proofs::methods::Audit& audit, const std::string& id) {
-  const Json all = page_data(paper, audit, to_json(paper, audit, "stickslip latex --theorem " + id));
-  for (Json one : all.at("results")) {
+std::string theorem(const Audited& all, const std::string& id) {
+  const Json data = page_data(all, to_json(all, "stickslip latex --theorem " + id));
+  for (Json one : data.at("results")) {
     if (one.at("id") == id) {
       // The paper's primes, not the dots of other pages, as in the sentence.
       static const std::regex rate(R"(\\dot ([a-z]_(?:\{[^}]*\}|.)))");
@@ -181,7 +180,7 @@ std::string theorem(const Paper& paper, const proofs::methods::Audit& audit, con
         one["displays"].push_back(
             displayed(std::regex_replace(formula.at("latex").get<std::string>(), rate, "$1'")));
       }
-      one["paper"] = all.at("paper");
+      one["paper"] = data.at("paper");
       return render_file("theorem.tex", one, tex_format);
     }
   }

@@ -7,8 +7,8 @@
 
 #include "proofs/checks/mutants.hpp"
 #include "proofs/methods/motions.hpp"
-#include "proofs/methods/paper.hpp"
 #include "report/audit/certificate_record.hpp"
+#include "report/audit/summary.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/tools/files.hpp"
 
@@ -34,18 +34,17 @@ struct Figures {
 // filter.js; audit.json; audit.tex and, where there is TeX, audit.pdf; the
 // figures. `command` made it: without one, `stickslip audit`. Throws InputOutputError if a program that draws
 // is missing or fails.
-[[nodiscard]] Report pages(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
-                           const Figures& figures, const std::optional<proofs::checks::Gate>& gate = {},
+[[nodiscard]] Report pages(const Audited& all, const Figures& figures,
+                           const std::optional<proofs::checks::Gate>& gate = {},
                            const Certification& certificates = {}, const std::string& command = {});
 
 // The errata of the paper and the hypotheses to be added to it, as a LaTeX document. Throws InputOutputError
 // if the template cannot be read.
-[[nodiscard]] std::string errata(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit);
+[[nodiscard]] std::string errata(const Audited& all);
 
 // One result of the audit as a LaTeX theorem with the idea of its proof. Throws InternalError if there is
 // none of that id, or if the audit does not have its claims decided.
-[[nodiscard]] std::string theorem(const proofs::methods::Paper& paper, const proofs::methods::Audit& audit,
-                                  const std::string& id);
+[[nodiscard]] std::string theorem(const Audited& all, const std::string& id);
 
 // The same kind of report on one list of orbits: index.html with its style sheets, orbits.json, orbits.tex
 // and, where there is TeX, orbits.pdf; the figure.

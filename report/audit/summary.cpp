@@ -63,10 +63,10 @@ std::size_t weight(const HypothesisGroup& group) {
 
 }  // namespace
 
-std::vector<StatusCount> count_statements(const Paper& paper, const Audit& audit) {
+std::vector<StatusCount> count_statements(const Audited& all) {
   std::vector<Status> found;
-  for (const PrintedStatement * statement : statements_in(paper, audit)) {
-    found.push_back(status_of(paper, *statement, audit));
+  for (const PrintedStatement * statement : statements_in(all.paper, all.audit)) {
+    found.push_back(status_of(all.paper, *statement, all.audit));
   }
   return counted(found);
 }
@@ -118,14 +118,14 @@ bool is_finding(const Record& record) {
   return facts(record.status).finding;
 }
 
-std::vector<Result> results_in(const Paper& paper, const Audit& audit) {
+std::vector<Result> results_in(const Audited& all) {
   const auto is_decided = [&](const std::string& id) {
-    return std::ranges::any_of(audit.records, [&](const Record& record) {
+    return std::ranges::any_of(all.audit.records, [&](const Record& record) {
       return record.claim.id == id && facts(record.status).decided;
     });
   };
   std::vector<Result> results;
-  for (const Result& result : paper.results) {
+  for (const Result& result : all.paper.results) {
     if (std::ranges::all_of(result.claims, is_decided)) {
       results.push_back(result);
     }
@@ -185,10 +185,10 @@ std::string cross_check_line(const proofs::methods::CrossCheck& check) {
          (check.unchecked.empty() ? "" : "; " + check.unchecked);
 }
 
-std::string summary_line(const Paper& paper, const Audit& audit) {
-  const bool whole = is_whole(paper, audit);
+std::string summary_line(const Audited& all) {
+  const bool whole = is_whole(all.paper, all.audit);
   std::vector<std::string> ours;
-  for (const OriginCount& entry : count_origins(audit)) {
+  for (const OriginCount& entry : count_origins(all.audit)) {
     if (!whole || !facts(entry.origin).source) {
       const OriginFacts& known = facts(entry.origin);
       ours.push_back(count_in_words(entry.count, entry.count == 1 ? known.one : known.many, entry.statuses));
@@ -198,19 +198,19 @@ std::string summary_line(const Paper& paper, const Audit& audit) {
   if (!whole) {
     return (claims.empty() ? "no claims" : claims) + ".";
   }
-  const std::size_t total = statements_in(paper, audit).size();
-  const std::string what = (total == 1 ? "statement of " : "statements of ") + source_of(audit);
-  return count_in_words(total, what, count_statements(paper, audit)) + "." +
+  const std::size_t total = statements_in(all.paper, all.audit).size();
+  const std::string what = (total == 1 ? "statement of " : "statements of ") + source_of(all.audit);
+  return count_in_words(total, what, count_statements(all)) + "." +
          (claims.empty() ? "" : " Beside them " + claims + ".");
 }
 
-std::vector<PlaceRecords> by_place(const Paper& paper, const Audit& audit) {
+std::vector<PlaceRecords> by_place(const Audited& all) {
   std::vector<PlaceRecords> places;
-  for (const Record& record : audit.records) {
+  for (const Record& record : all.audit.records) {
     const auto same = [&record](const PlaceRecords& place) { return place.id == record.claim.place; };
     auto place = std::ranges::find_if(places, same);
     if (place == places.end()) {
-      places.push_back({record.claim.place, title_of(paper, record.claim.place), {}});
+      places.push_back({record.claim.place, title_of(all.paper, record.claim.place), {}});
       place = std::prev(places.end());
     }
     place->records.push_back(&record);
@@ -218,9 +218,9 @@ std::vector<PlaceRecords> by_place(const Paper& paper, const Audit& audit) {
   return places;
 }
 
-std::string verdict_lead(const Paper& paper, const Audit& audit) {
+std::string verdict_lead(const Audited& all) {
   Status worst = Status::as_printed;
-  for (const StatusCount& entry : count_statements(paper, audit)) {
+  for (const StatusCount& entry : count_statements(all)) {
     if (entry.status < Status::in_part) {
       worst = entry.status;
     }
@@ -228,16 +228,16 @@ std::string verdict_lead(const Paper& paper, const Audit& audit) {
   return facts(worst).lead;
 }
 
-std::string verdict_sentence(const Paper& paper, const Audit& audit) {
-  const std::vector<StatusCount> counts = count_statements(paper, audit);
+std::string verdict_sentence(const Audited& all) {
+  const std::vector<StatusCount> counts = count_statements(all);
   const auto in_words = [](const StatusCount& entry) {
     const StatusFacts& known = facts(entry.status);
     return tools::counted(entry.count, known.one, known.many);
   };
-  const std::size_t total = statements_in(paper, audit).size();
+  const std::size_t total = statements_in(all.paper, all.audit).size();
   return counts.empty() ? ""
                         : fmt::format("Of {} of {}, {}.", tools::counted(total, "statement"),
-                                      source_of(audit), enumerated(counts, in_words, "; "));
+                                      source_of(all.audit), enumerated(counts, in_words, "; "));
 }
 
 std::string sentence_of_ours(const Audit& audit) {
@@ -255,10 +255,10 @@ std::string sentence_of_ours(const Audit& audit) {
                                      total == 1 ? "" : "s", total == 1 ? "is" : "are", enumerated(parts));
 }
 
-std::string sentence_of_findings(const Paper& paper, const Audit& audit) {
+std::string sentence_of_findings(const Audited& all) {
   std::set<std::string> refuted;
   std::size_t found = 0;
-  for (const Record& record : audit.records) {
+  for (const Record& record : all.audit.records) {
     found += is_finding(record) ? 1 : 0;
     if (record.status == Status::refuted) {
       refuted.insert(record.claim.id);
@@ -266,7 +266,7 @@ std::string sentence_of_findings(const Paper& paper, const Audit& audit) {
   }
   std::set<std::string> said;
   std::size_t statements = 0;
-  for (const PrintedStatement * statement : statements_in(paper, audit)) {
+  for (const PrintedStatement * statement : statements_in(all.paper, all.audit)) {
     bool states = false;
     for (const std::string& id : stating(*statement)) {
       if (refuted.contains(id)) {
@@ -288,23 +288,23 @@ std::string sentence_of_findings(const Paper& paper, const Audit& audit) {
                     refuted.size() == 1 ? "" : "s", said.size(), said.size() == 1 ? "s" : "", statements);
   }
   if (said.size() < refuted.size()) {
-    result += fmt::format(", the others what {} takes for granted", source_of(audit));
+    result += fmt::format(", the others what {} takes for granted", source_of(all.audit));
   }
   return result + ".";
 }
 
-std::vector<const Record *> findings_by_weight(const Paper& paper, const Audit& audit) {
+std::vector<const Record *> findings_by_weight(const Audited& all) {
   std::vector<const Record *> found;
-  for (const Record& record : audit.records) {
+  for (const Record& record : all.audit.records) {
     if (is_finding(record)) {
       found.push_back(&record);
     }
   }
-  const auto last = static_cast<std::ptrdiff_t>(paper.remarks.size());
+  const auto last = static_cast<std::ptrdiff_t>(all.paper.remarks.size());
   std::ranges::stable_sort(found, std::less<>(), [&](const Record * record) {
-    const Remark * remark = remark_on(paper, record->claim.id);
+    const Remark * remark = remark_on(all.paper, record->claim.id);
     const bool taken_for_granted = remark && !facts(record->claim.origin).source;
-    return !remark ? last : remark - paper.remarks.data() + (taken_for_granted ? last + 1 : 0);
+    return !remark ? last : remark - all.paper.remarks.data() + (taken_for_granted ? last + 1 : 0);
   });
   return found;
 }
@@ -375,8 +375,8 @@ int shade(std::size_t count) {
 
 }  // namespace
 
-Json uses_of_places(const Paper& paper, const Audit& audit) {
-  const std::vector<PlaceRecords> places = by_place(paper, audit);
+Json uses_of_places(const Audited& all) {
+  const std::vector<PlaceRecords> places = by_place(all);
   Json parts = Json::array();
   for (const PlaceRecords& user : places) {
     Json rests_on = Json::array(), row = Json::array();

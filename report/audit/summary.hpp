@@ -10,14 +10,19 @@
 
 namespace stickslip::report::audit {
 
+// A paper, and an audit of it.
+struct Audited {
+  const proofs::methods::Paper& paper;
+  const proofs::methods::Audit& audit;
+};
+
 struct StatusCount {
   proofs::methods::Status status = proofs::methods::Status::undecided;
   std::size_t count = 0;
 };
 
 // The statuses that occur among the paper's statements, from the best to the worst.
-[[nodiscard]] std::vector<StatusCount> count_statements(const proofs::methods::Paper& paper,
-                                                        const proofs::methods::Audit& audit);
+[[nodiscard]] std::vector<StatusCount> count_statements(const Audited& all);
 
 // The claims of one origin.
 struct OriginCount {
@@ -37,8 +42,7 @@ struct OriginCount {
 [[nodiscard]] bool is_finding(const proofs::methods::Record& record);
 
 // The results whose claims all are in the audit, and none of them undecided.
-[[nodiscard]] std::vector<proofs::methods::Result> results_in(const proofs::methods::Paper& paper,
-                                                              const proofs::methods::Audit& audit);
+[[nodiscard]] std::vector<proofs::methods::Result> results_in(const Audited& all);
 
 // The sentence with what claims found in the place of their ids in braces: "both occur: {S.lag}". Where the
 // audit has no such claim: "both occur: see S.lag".
@@ -64,8 +68,7 @@ struct OriginCount {
 // "64 statements of the paper: 57 as printed, 2 model, 5 misprint corrected. Beside them 3 converses: 3
 // proved." Of an audit that is not whole, where a statement may have other claims as well: "4 claims of the
 // paper: 4 as printed; 1 converse: 1 proved."
-[[nodiscard]] std::string summary_line(const proofs::methods::Paper& paper,
-                                       const proofs::methods::Audit& audit);
+[[nodiscard]] std::string summary_line(const Audited& all);
 
 // The consecutive records of one place.
 struct PlaceRecords {
@@ -75,31 +78,26 @@ struct PlaceRecords {
 };
 
 // The records by place, in the order in which places first occur. Points into the audit.
-[[nodiscard]] std::vector<PlaceRecords> by_place(const proofs::methods::Paper& paper,
-                                                 const proofs::methods::Audit& audit);
+[[nodiscard]] std::vector<PlaceRecords> by_place(const Audited& all);
 
 // What an audit found, in words and in the order in which a reader wants it.
 
 // "The paper holds, with corrections.": what the worst status of its statements comes to, as far as they are
 // stated by claims.
-[[nodiscard]] std::string verdict_lead(const proofs::methods::Paper& paper,
-                                       const proofs::methods::Audit& audit);
+[[nodiscard]] std::string verdict_lead(const Audited& all);
 
 // One sentence with the number of the paper's statements of each status; empty if the audit answers none.
-[[nodiscard]] std::string verdict_sentence(const proofs::methods::Paper& paper,
-                                           const proofs::methods::Audit& audit);
+[[nodiscard]] std::string verdict_sentence(const Audited& all);
 
 // One sentence with the number of claims that are not the paper's, by origin; empty if there are none.
 [[nodiscard]] std::string sentence_of_ours(const proofs::methods::Audit& audit);
 
 // How findings, refuted ones among them and statements are related, in a sentence; empty if nothing is found.
-[[nodiscard]] std::string sentence_of_findings(const proofs::methods::Paper& paper,
-                                               const proofs::methods::Audit& audit);
+[[nodiscard]] std::string sentence_of_findings(const Audited& all);
 
 // Those with remarks first, in the order of their weight, except for what the paper does not say, which is
 // last. Points into the audit.
-[[nodiscard]] std::vector<const proofs::methods::Record *> findings_by_weight(
-    const proofs::methods::Paper& paper, const proofs::methods::Audit& audit);
+[[nodiscard]] std::vector<const proofs::methods::Record *> findings_by_weight(const Audited& all);
 
 // The same things that must not vanish, brought in by the proofs of some claims and inherited by others.
 struct HypothesisGroup {

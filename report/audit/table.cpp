@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/names.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/symbols/table.hpp"
@@ -25,20 +26,9 @@ namespace {
 constexpr std::size_t unlimited = 1U << 20U;
 
 std::string colour_of(Status status, const Style& style) {
-  if (!style.colour) {
-    return {};
-  }
-  switch (facts(status).tone) {
-    case proofs::methods::Tone::quiet:
-      return {};
-    case proofs::methods::Tone::good:
-      return "\x1b[32m";
-    case proofs::methods::Tone::notable:
-      return "\x1b[33m";
-    case proofs::methods::Tone::bad:
-      return "\x1b[31m";
-  }
-  return {};
+  const proofs::methods::Tone tone = facts(status).tone;
+  return style.colour ? name_of<proofs::methods::Tone::bad>(tone, "", "\x1b[32m", "\x1b[33m", "\x1b[31m")
+                      : "";
 }
 
 Cell status_cell(const Record& record, const Style& style) {
@@ -112,10 +102,10 @@ std::string head(const Record& record, const Style& style) {
   return columns_of({{{record.claim.id}, {facts(record.status).meaning, colour}}}, style.width);
 }
 
-std::string tables_by_place(const Paper& paper, const Audit& audit, const Style& style) {
+std::string tables_by_place(const Audited& all, const Style& style) {
   std::vector<Row> rows;
   std::string result;
-  for (const PlaceRecords& place : by_place(paper, audit)) {
+  for (const PlaceRecords& place : by_place(all)) {
     rows.clear();
     for (const Record * record : place.records) {
       rows.push_back({{record->claim.id},
@@ -128,14 +118,14 @@ std::string tables_by_place(const Paper& paper, const Audit& audit, const Style&
   return result;
 }
 
-std::string findings(const Paper& paper, const Audit& audit, const Style& style) {
+std::string findings(const Audited& all, const Style& style) {
   std::string result;
-  for (const Record * finding : findings_by_weight(paper, audit)) {
+  for (const Record * finding : findings_by_weight(all)) {
     const Record& record = *finding;
     Details details(style.width);
-    if (const Remark * remark = remark_on(paper, record.claim.id)) {
+    if (const Remark * remark = remark_on(all.paper, record.claim.id)) {
       details.add(facts(record.claim.origin).source ? "says" : "granted", remark->says);
-      details.add("in fact", with_answers(remark->fact, audit));
+      details.add("in fact", with_answers(remark->fact, all.audit));
       details.add("because", remark->because);
       details.add("see", remark->see);
       details.add("printed", record.claim.printed);
@@ -150,7 +140,7 @@ std::string findings(const Paper& paper, const Audit& audit, const Style& style)
     details.add("why not", record.outcome.verdict.reason);
     details.add("converse", record.converse ? record.converse->verdict.reason : std::string());
     details.add("needs", final_outcome(record).hypotheses);
-    details.add("inherited", enumerated(inheriting(audit, record)));
+    details.add("inherited", enumerated(inheriting(all.audit, record)));
     details.add("corrected", record.claim.corrected);
     result += head(record, style) + details.text();
   }
@@ -224,29 +214,28 @@ std::string explanation(const Record& record, const Style& style) {
 
 }  // namespace
 
-std::string terminal_report(const Paper& paper, const Audit& audit, const Style& style,
-                            const Certification& certificates) {
-  return tables_by_place(paper, audit, style) + findings(paper, audit, style) +
-         printed_numbers(audit, style) + paragraph(summary_line(paper, audit), style) +
-         paragraph(is_whole(paper, audit) ? sentence_of_findings(paper, audit) : "", style) +
+std::string terminal_report(const Audited& all, const Style& style, const Certification& certificates) {
+  return tables_by_place(all, style) + findings(all, style) + printed_numbers(all.audit, style) +
+         paragraph(summary_line(all), style) +
+         paragraph(is_whole(all.paper, all.audit) ? sentence_of_findings(all) : "", style) +
          uncertified(certificates, style) +
          (certificates.line.empty() ? "" : paragraph(certificates.line, style));
 }
 
-std::string terminal_lines(const Paper& paper, const Audit& audit, const Style& style) {
+std::string terminal_lines(const Audited& all, const Style& style) {
   std::vector<Row> rows;
-  for (const Record& record : audit.records) {
+  for (const Record& record : all.audit.records) {
     rows.push_back({{record.claim.id}, status_cell(record, style), {words_of(record)}});
   }
-  return columns_of(rows, unlimited) + summary_line(paper, audit) + "\n";
+  return columns_of(rows, unlimited) + summary_line(all) + "\n";
 }
 
-std::string terminal_explanations(const Paper& paper, const Audit& audit, const Style& style) {
+std::string terminal_explanations(const Audited& all, const Style& style) {
   std::string result;
-  for (const Record& record : audit.records) {
+  for (const Record& record : all.audit.records) {
     result += explanation(record, style) + "\n";
   }
-  return result + printed_numbers(audit, style) + paragraph(summary_line(paper, audit), style);
+  return result + printed_numbers(all.audit, style) + paragraph(summary_line(all), style);
 }
 
 std::string terminal_answer(const Record& record, const Style& style) {

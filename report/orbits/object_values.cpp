@@ -17,7 +17,6 @@
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/numbers.hpp"
 #include "report/tools/prose.hpp"
-#include "symbolic/algebra/evaluate.hpp"
 #include "symbolic/algebra/symbols.hpp"
 #include "symbolic/typeset/latex.hpp"
 

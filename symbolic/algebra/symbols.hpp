@@ -1,10 +1,13 @@
-// One GiNaC symbol per plain name, so that expressions built anywhere in the program mean the same things.
+// One GiNaC symbol per plain name, so that expressions built anywhere in the program mean the same things,
+// and the values of expressions in balls.
 #pragma once
 
 #include <ginac/ginac.h>
 
+#include <map>
 #include <string>
 
+#include "core/ball.hpp"
 #include "model/scalar_traits.hpp"
 
 namespace stickslip::symbolic::algebra {
@@ -15,6 +18,22 @@ namespace stickslip::symbolic::algebra {
 
 // (39): chi, eta, lambda1 and lambda2 replaced by their rational expressions in omega1 and omega2.
 [[nodiscard]] GiNaC::ex in_frequencies(const GiNaC::ex& expression);
+
+using BallValues = std::map<GiNaC::ex, Ball, GiNaC::ex_is_less>;  // symbol -> value
+
+// A ball that contains the value of the expression at the working precision; indeterminate where the
+// expression is not defined. Handles rational numbers, symbols, π, + and *, rational powers with denominator
+// 1 or 2, cos, sin and tan. Throws InternalError for anything else and for a symbol without value.
+[[nodiscard]] Ball evaluate(const GiNaC::ex& expression, const BallValues& values);
+
+// The exact rational value of a GiNaC rational number.
+[[nodiscard]] Rational to_rational(const GiNaC::numeric& number);
+
+// As GiNaC prints it, for messages.
+[[nodiscard]] std::string plain(const GiNaC::ex& expression);
+
+// All symbols that occur in the expression.
+[[nodiscard]] GiNaC::exset symbols_of(const GiNaC::ex& expression);
 
 }  // namespace stickslip::symbolic::algebra
 

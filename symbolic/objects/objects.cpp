@@ -312,7 +312,7 @@ std::string meanings(Unknowns unknowns) {
 std::string list_of_objects() {
   std::string result;
   for (const Object& object : objects()) {
-    result += fmt::format("{:<11}  {:<4}  {}\n", object.name, object.number, plain(object.title));
+    result += fmt::format("{:<11}  {:<4}  {}\n", object.name, object.number, stickslip::plain(object.title));
   }
   return result;
 }

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "symbolic/algebra/evaluate.hpp"
+#include "symbolic/algebra/symbols.hpp"
 #include "symbolic/typeset/names.hpp"
 
 namespace stickslip::symbolic::typeset {

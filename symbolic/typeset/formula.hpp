@@ -70,15 +70,6 @@ struct Power {
 // front.
 [[nodiscard]] Fraction without_leading_minus(Fraction fraction);
 
-// entries[i] = factor · rest[i], factor being what all nonzero entries have in common and signed so that the
-// first nonzero rest is positive; factor is 1 unless at least two entries are nonzero and share a
-// denominator.
-struct Common {
-  Fraction factor;
-  std::vector<Fraction> rest;
-};
-[[nodiscard]] Common take_common_factor(std::vector<Fraction> entries);
-
 // The order in which the parts of a formula are written (formula.hpp).
 
 // π, symbols by compare_names(), functions by name, then arguments; cos, sin, tan by argument, then name.

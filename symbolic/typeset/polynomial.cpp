@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "symbolic/algebra/evaluate.hpp"
+#include "symbolic/algebra/symbols.hpp"
 
 namespace stickslip::symbolic::typeset {
 

@@ -8,7 +8,6 @@
 #include "core/error.hpp"
 #include "numeric/machines/machine_attractors.hpp"
 #include "numeric/machines/neighbourhood.hpp"
-#include "numeric/machines/reaching.hpp"
 #include "numeric/machines/set_after.hpp"
 #include "numeric/machines/settle.hpp"
 #include "numeric/words/complete_list.hpp"

@@ -7,33 +7,30 @@
 
 namespace stickslip::numeric::words {
 
-using Guess = machines::MachineGuess;
+using machines::MachineGuess;
 
 // From a motion over so many periods, rounded to double; `again` takes it as many times.
-[[nodiscard]] inline Guess guess_of(const motion::Motion& motion, long periods = 1, long again = 1) {
-  const motion::MotionOf<double> m = motion::in_double(motion);
-  const double period = motion::period(motion).approximate();
-  Guess guess{{}, periods * again};
+[[nodiscard]] inline MachineGuess guess_of(const motion::Motion& motion, long periods = 1, long again = 1) {
+  const MachineGuess once = machines::guess_of(motion, periods);
+  MachineGuess guess{{}, periods * again};
   for (long round = 0; round < again; ++round) {
-    for (const motion::PhaseOf<double>& phase : m.phases) {
-      const double t = m.phases.front().load / m.oscillator.data.omega + phase.start;
-      const model::Vector4<double> X(phase.Z(0) + m.oscillator.d0(0), phase.Z(1) + m.oscillator.d0(1),
-                                     phase.Z(2), m.oscillator.data.V);
-      guess.events.push_back({t + static_cast<double>(round) * period, X, {phase.kind}});
+    for (MachineGuess::Event event : once.events) {
+      event.t += static_cast<double>(round) * once.duration;
+      guess.events.push_back(event);
     }
   }
   return guess;
 }
 
 // What the motion from X at t = 0 does in the n periods after so many others.
-[[nodiscard]] inline Guess simulated(const WordQuestion& q, const model::Vector4<double>& X, long before,
-                                     long n) {
+[[nodiscard]] inline MachineGuess simulated(const WordQuestion& q, const model::Vector4<double>& X,
+                                            long before, long n) {
   simulation::Simulation s(motion::parameters_as<double>(q.data), scalars::scalar<double>(q.ur), 0, X);
   const double lead = static_cast<double>(before) * s.period();
   s.advance(lead);
   std::vector<simulation::Transition> log;
   s.advance(static_cast<double>(n) * s.period(), &log);
-  Guess guess{{}, n};
+  MachineGuess guess{{}, n};
   for (const simulation::Transition& t : log) {
     guess.events.push_back({t.time - lead, t.X, {t.after}});
   }

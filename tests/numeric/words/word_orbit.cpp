@@ -222,11 +222,11 @@ TEST_CASE("a word of 208 phases over 175 periods is proved, admissible and stabl
 
 TEST_CASE("nothing is proved from a motion that does not close, or over another number of periods") {
   const WordQuestion q{S(), parse_rational("0.16096526517987741"), 20};
-  const Guess open = simulated(q, {1, 1.5, 0, 0.5}, 200, 7);
+  const MachineGuess open = simulated(q, {1, 1.5, 0, 0.5}, 200, 7);
   const WordOrbit found = prove_word_orbit(q, open);
   const bool orbit = found.existence.truth == Truth::proved && found.orbit.admissible.truth == Truth::proved;
   CHECK_FALSE(orbit);
-  Guess longer = simulated(q, {1, 1.5, 0, 0.5}, 12000, 175);
+  MachineGuess longer = simulated(q, {1, 1.5, 0, 0.5}, 12000, 175);
   longer.periods = 176;
   const WordOrbit other = prove_word_orbit(q, longer);
   const bool too = other.existence.truth == Truth::proved && other.orbit.admissible.truth == Truth::proved;
@@ -237,8 +237,8 @@ TEST_CASE("a closed motion that is late in its own order is refuted") {
   // The phases of orbit O in a wrong kind: slips for overshoots.
   const OrbitList list = listed(families::overshooting(), O(), 30, Rational(0));
   const Orbit& orbit = admissible_one(list);
-  Guess guess = guess_of(orbit.motion);
-  for (Guess::Event& event : guess.events) {
+  MachineGuess guess = guess_of(orbit.motion);
+  for (MachineGuess::Event& event : guess.events) {
     PhaseKind& kind = event.begins.kind;
     kind = kind == PhaseKind::slip        ? PhaseKind::overshoot
            : kind == PhaseKind::overshoot ? PhaseKind::slip
@@ -252,7 +252,7 @@ TEST_CASE("a closed motion that is late in its own order is refuted") {
 
 TEST_CASE("outside the domain words say which parameter") {
   const OrbitList list = listed(families::overshooting(), O(), 30, Rational(0));
-  const Guess guess = guess_of(admissible_one(list).motion);
+  const MachineGuess guess = guess_of(admissible_one(list).motion);
   const auto refused = [&](ExactParameters data, const Rational& ur) {
     CHECK_THROWS_AS((void)prove_word_orbit({data, ur, 20}, guess), DomainError);
   };

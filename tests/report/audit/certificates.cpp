@@ -271,7 +271,7 @@ TEST_CASE("reports carry it") {
   certified.claims["5"] = {State::refused, "Claim_5.v", "Coq does not accept it: see Claim_5.log"};
   certified.line = "Certified by Coq: one.";
   const Json json =
-      to_json(report::sample_paper(), report::sample_audit(), "stickslip audit", {}, {}, certified);
+      to_json({report::sample_paper(), report::sample_audit()}, "stickslip audit", {}, {}, certified);
   CHECK(json.at("summary").at("certificates") == certified.line);
   int found = 0;
   for (const Json& place : json.at("places")) {
@@ -283,7 +283,7 @@ TEST_CASE("reports carry it") {
   }
   CHECK(found > 2);
   const std::string text =
-      terminal_report(report::sample_paper(), report::sample_audit(), {.width = 80}, certified);
+      terminal_report({report::sample_paper(), report::sample_audit()}, {.width = 80}, certified);
   CHECK(text.find("Not certified, Coq does not accept it: see Claim_5.log: 5.\n") != std::string::npos);
   CHECK(text.ends_with("Certified by Coq: one.\n"));
 }

@@ -18,7 +18,7 @@ using namespace stickslip::report::tools;
 namespace {
 
 Json sample() {
-  Json audit = to_json(sample_paper(), sample_audit());
+  Json audit = to_json({sample_paper(), sample_audit()});
   audit["examples"] =
       Json::parse(R"([{"name": "S", "orbits": {"parameters": {"chi": "0.5"}, "complete": true, "orbits": [
     {"tau": {"mid": "2.45", "rad": "1e-3"}, "admissible": true, "stability": "stable",

@@ -30,17 +30,19 @@ Audit with_status(Status status) {
 }  // namespace
 
 TEST_CASE("the verdict is that of the worst statement") {
-  CHECK(verdict_lead(sample_paper(), with_status(Status::as_printed)) == "The paper holds as printed.");
-  CHECK(verdict_lead(sample_paper(), with_status(Status::needs_hypotheses)).find("hypotheses") !=
+  CHECK(verdict_lead({sample_paper(), with_status(Status::as_printed)}) == "The paper holds as printed.");
+  CHECK(verdict_lead({sample_paper(), with_status(Status::needs_hypotheses)}).find("hypotheses") !=
         std::string::npos);
-  CHECK(verdict_lead(sample_paper(), with_status(Status::misprint_corrected)) ==
+  CHECK(verdict_lead({sample_paper(), with_status(Status::misprint_corrected)}) ==
         "The paper holds, with corrections.");
-  CHECK(verdict_lead(sample_paper(), with_status(Status::digits_off)) ==
+  CHECK(verdict_lead({sample_paper(), with_status(Status::digits_off)}) ==
         "The paper holds, with corrections.");
-  CHECK(verdict_lead(sample_paper(), with_status(Status::refuted)) == "The paper does not hold everywhere.");
-  CHECK(verdict_lead(sample_paper(), with_status(Status::rests_on_unproved)) == "Not everything is decided.");
+  CHECK(verdict_lead({sample_paper(), with_status(Status::refuted)}) ==
+        "The paper does not hold everywhere.");
+  CHECK(verdict_lead({sample_paper(), with_status(Status::rests_on_unproved)}) ==
+        "Not everything is decided.");
   // What is undecided there is no statement of the paper.
-  CHECK(verdict_lead(sample_paper(), sample_audit()) == "The paper holds, with corrections.");
+  CHECK(verdict_lead({sample_paper(), sample_audit()}) == "The paper holds, with corrections.");
 }
 
 TEST_CASE("the table of statuses stands in the order of the statuses, and names each once") {
@@ -57,19 +59,19 @@ TEST_CASE("the table of statuses stands in the order of the statuses, and names 
 
 TEST_CASE("the verdict counts the paper's statements, each once, and what is not the paper's apart") {
   CHECK(
-      verdict_sentence(sample_paper(), with_status(Status::refuted)) ==
+      verdict_sentence({sample_paper(), with_status(Status::refuted)}) ==
       "Of 5 statements of the paper, 3 are proved exactly as printed; 1 is refuted; 1 is stated by no claim "
       "of ours.");
-  CHECK(verdict_sentence({}, {}).empty());
+  CHECK(verdict_sentence({{}, {}}).empty());
   CHECK(sentence_of_ours(sample_audit()) ==
         "Beside these 1 claim of our own is counted apart: 1 new result.");
   CHECK(sentence_of_ours({}).empty());
 }
 
 TEST_CASE("findings, refuted claims and statements are told apart in a sentence") {
-  CHECK(sentence_of_findings({}, {}).empty());
+  CHECK(sentence_of_findings({{}, {}}).empty());
   CHECK(
-      sentence_of_findings(sample_paper(), with_status(Status::refuted)) ==
+      sentence_of_findings({sample_paper(), with_status(Status::refuted)}) ==
       "A finding is a claim, not a statement: one claim may state several statements, and some claims state "
       "none; of 1 refuted claim 1 states 1 of the statements.");
 }
@@ -92,11 +94,12 @@ TEST_CASE("what text books say is a statement of theirs, proved and never as pri
     record.claim.origin = Origin::textbook;
     record.status = Status::proved;
   }
-  CHECK(verdict_sentence(sample_paper(), audit) ==
+  CHECK(verdict_sentence({sample_paper(), audit}) ==
         "Of 5 statements of text books, 4 are proved; 1 is stated by no claim of ours.");
-  CHECK(verdict_lead(sample_paper(), audit) == "What is stated is proved.");
+  CHECK(verdict_lead({sample_paper(), audit}) == "What is stated is proved.");
   CHECK(sentence_of_ours(audit).empty());
-  CHECK(summary_line(sample_paper(), audit).find("statements of text books: 4 proved") != std::string::npos);
+  CHECK(summary_line({sample_paper(), audit}).find("statements of text books: 4 proved") !=
+        std::string::npos);
   // One printed statement, and it is a paper that is audited.
   audit.records.front().claim.origin = Origin::paper;
   CHECK(source_of(audit) == "the paper");
@@ -126,7 +129,7 @@ TEST_CASE("the same hypothesis brought in twice is one group") {
 TEST_CASE("a part says of each place how many of its claims the proofs of the part use, not of its own") {
   Audit audit = sample_audit();
   audit.records[5].outcome.uses = {"2", "5", "5.where", "44"};  // 17 and 44 are of A2
-  const tools::Json parts = uses_of_places(sample_paper(), audit).at("parts");
+  const tools::Json parts = uses_of_places({sample_paper(), audit}).at("parts");
   const auto row = [&](const std::string& id) {
     const auto is_it = [&](const tools::Json& part) { return part.at("id") == id; };
     std::map<std::string, std::pair<std::string, int>> counts;

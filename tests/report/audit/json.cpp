@@ -39,14 +39,14 @@ bool has_floating_number(const Json& json) {
 }  // namespace
 
 TEST_CASE("an audit survives the way through its text") {
-  const Json json = to_json(sample_paper(), sample_audit());
+  const Json json = to_json({sample_paper(), sample_audit()});
   CHECK(Json::parse(to_text(json)) == json);
-  CHECK(to_text(json) == to_text(to_json(sample_paper(), sample_audit())));
+  CHECK(to_text(json) == to_text(to_json({sample_paper(), sample_audit()})));
   CHECK(to_text(json).ends_with("}\n"));
 }
 
 TEST_CASE("numbers are text, exact or balls") {
-  const Json json = to_json(sample_paper(), sample_audit());
+  const Json json = to_json({sample_paper(), sample_audit()});
   CHECK_FALSE(has_floating_number(json));
   const Json comparison = claim(json, "S.tau").at("outcome").at("comparisons").at(0);
   CHECK(comparison.at("printed") == "7.749");
@@ -59,7 +59,7 @@ TEST_CASE("numbers are text, exact or balls") {
 }
 
 TEST_CASE("a claim says what is known, each key always there") {
-  const Json json = to_json(sample_paper(), sample_audit());
+  const Json json = to_json({sample_paper(), sample_audit()});
   CHECK(json.at("schema_version") == schema_version);
   const Json misprint = claim(json, "44");
   CHECK(misprint.at("status") == "misprint_corrected");
@@ -83,7 +83,7 @@ TEST_CASE("a claim says what is known, each key always there") {
 }
 
 TEST_CASE("the paper is the one that is handed over, sentences are without marks") {
-  const Json json = to_json(sample_paper(), sample_audit());
+  const Json json = to_json({sample_paper(), sample_audit()});
   CHECK(json.at("paper").at("doi") == "10.1000/1");
   CHECK(json.at("places").at(1).at("title") == "Section 3: phases");
   CHECK(json.at("places").back().at("title") == "A2");  // of no section
@@ -91,7 +91,7 @@ TEST_CASE("the paper is the one that is handed over, sentences are without marks
 }
 
 TEST_CASE("the summary counts the paper's statements once, and the claims by their origin") {
-  const Json json = to_json(sample_paper(), sample_audit());
+  const Json json = to_json({sample_paper(), sample_audit()});
   const Json summary = json.at("summary");
   const auto total = [](const Json& counts) {
     std::size_t sum = 0;
@@ -112,20 +112,20 @@ TEST_CASE("the summary counts the paper's statements once, and the claims by the
 }
 
 TEST_CASE("a remark goes with a finding, a result with claims that are decided") {
-  const Json json = to_json(sample_paper(), sample_audit());
+  const Json json = to_json({sample_paper(), sample_audit()});
   CHECK(claim(json, "44").at("remark").at("fact") == "it runs to -t");
   CHECK(claim(json, "5").at("remark").is_null());
   REQUIRE(json.at("results").size() == 1);
   CHECK(json.at("results").at(0).at("theorem") == "for all t & x");
   Paper open = sample_paper();
   open.results.front().claims = {"5", "17"};
-  CHECK(to_json(open, sample_audit()).at("results").empty());
+  CHECK(to_json({open, sample_audit()}).at("results").empty());
   open.results.front().claims = {"not there"};
-  CHECK(to_json(open, sample_audit()).at("results").empty());
+  CHECK(to_json({open, sample_audit()}).at("results").empty());
 }
 
 TEST_CASE("a statement of the paper says which claims state it, and its status is the worst of theirs") {
-  const Json json = to_json(sample_paper(), sample_audit());
+  const Json json = to_json({sample_paper(), sample_audit()});
   const Json two = json.at("statements").at(1);
   CHECK(two.at("claims") == Json::array({"5", "5.where"}));
   CHECK(two.at("status") == "needs_hypotheses");

@@ -19,7 +19,7 @@ using namespace stickslip::report::tools;
 namespace {
 
 const Report& sample_report() {
-  static const Report report = pages(sample_paper(), sample_audit(), {});
+  static const Report report = pages({sample_paper(), sample_audit()}, {});
   return report;
 }
 
@@ -176,7 +176,7 @@ TEST_CASE("text is escaped for the page it stands on, nothing of a template rema
 
 TEST_CASE("two runs make the same pages") {
   const std::vector<File>& first = sample_report().files;
-  const std::vector<File> second = pages(sample_paper(), sample_audit(), {}).files;
+  const std::vector<File> second = pages({sample_paper(), sample_audit()}, {}).files;
   REQUIRE(first.size() >= 7);
   REQUIRE(first.size() == second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {

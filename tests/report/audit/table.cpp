@@ -34,12 +34,12 @@ std::ptrdiff_t lines_of(const std::string& text) {
 
 TEST_CASE("the table fits a terminal of eighty columns") {
   const proofs::methods::Audit audit = sample_audit();
-  CHECK(widest_line(terminal_report(sample_paper(), audit, {})) <= 80);
-  CHECK(widest_line(terminal_explanations(sample_paper(), audit, {})) <= 80);
+  CHECK(widest_line(terminal_report({sample_paper(), audit}, {})) <= 80);
+  CHECK(widest_line(terminal_explanations({sample_paper(), audit}, {})) <= 80);
 }
 
 TEST_CASE("the report names every statement, every finding and every printed number") {
-  const std::string text = terminal_report(sample_paper(), sample_audit(), {});
+  const std::string text = terminal_report({sample_paper(), sample_audit()}, {});
   for (const std::string& part : std::vector<std::string>{
            "2 ", "5.where", "misprint corrected", "it runs to -t", "omega - omega1 != 0",
            "the search ran out of its budget", "7.749", "-1.3", "H(-t)",
@@ -52,19 +52,19 @@ TEST_CASE("the report names every statement, every finding and every printed num
 
 TEST_CASE("colour only where it is asked for") {
   const proofs::methods::Audit audit = sample_audit();
-  CHECK_FALSE(mentions(terminal_report(sample_paper(), audit, {}), "\x1b"));
-  CHECK_FALSE(mentions(terminal_lines(sample_paper(), audit, {}), "\x1b"));
-  CHECK(mentions(terminal_report(sample_paper(), audit, {.colour = true}), "\x1b[31mmisprint corrected"));
+  CHECK_FALSE(mentions(terminal_report({sample_paper(), audit}, {}), "\x1b"));
+  CHECK_FALSE(mentions(terminal_lines({sample_paper(), audit}, {}), "\x1b"));
+  CHECK(mentions(terminal_report({sample_paper(), audit}, {.colour = true}), "\x1b[31mmisprint corrected"));
 }
 
 TEST_CASE("a line for each statement and one for all") {
-  const std::string text = terminal_lines(sample_paper(), sample_audit(), {});
+  const std::string text = terminal_lines({sample_paper(), sample_audit()}, {});
   CHECK(lines_of(text) == 7);
   CHECK(mentions(text, "undecided"));
 }
 
 TEST_CASE("an explanation shows formula, proof and uses, also of the corrected form") {
-  const std::string text = terminal_explanations(sample_paper(), sample_audit(), {});
+  const std::string text = terminal_explanations({sample_paper(), sample_audit()}, {});
   for (const char * part :
        {"by substitution", "omega1, t", "corrected", "uses        5", "used by     44", "if "}) {
     CAPTURE(part);
@@ -83,12 +83,12 @@ TEST_CASE("what an audit comes to") {
   audit.records[2].outcome.hypotheses.back().origin = "5";  // inherited: said once, at its origin
   CHECK_FALSE(is_finding(audit.records[2]));
   CHECK(inheriting(audit, audit.records[1]) == std::set<std::string>{"5.where"});
-  CHECK(summary_line({}, {}) == "0 statements of the paper.");
+  CHECK(summary_line({{}, {}}) == "0 statements of the paper.");
   Paper other = sample_paper();
   other.claims = {{.id = "not asked for"}};
-  CHECK(summary_line(other, audit) == "3 claims of the paper: 1 as printed, 1 model, 1 needs hypotheses.");
-  CHECK(summary_line(other, {}) == "no claims.");
-  CHECK(by_place(sample_paper(), sample_audit()).size() == 4);
+  CHECK(summary_line({other, audit}) == "3 claims of the paper: 1 as printed, 1 model, 1 needs hypotheses.");
+  CHECK(summary_line({other, {}}) == "no claims.");
+  CHECK(by_place({sample_paper(), sample_audit()}).size() == 4);
 }
 
 TEST_CASE("a line says how many engines agree, or why none was asked") {

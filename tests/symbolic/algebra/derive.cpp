@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "model/flows.hpp"
-#include "symbolic/algebra/evaluate.hpp"
+#include "symbolic/algebra/symbols.hpp"
 #include "tests/symbolic/algebra/letters.hpp"
 
 using namespace stickslip;
