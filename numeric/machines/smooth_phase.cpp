@@ -108,6 +108,12 @@ S relative_velocity(const LinearPhases& phases, int side, const model::VectorX<S
   return (phases.numbers<S>().V - w(phases.speed_row())) * Ball(side);
 }
 
+// Which the Taylor polynomials are taken to: over data more is left out by those in the data.
+template <class S>
+long bits_in_time() {
+  return std::is_same_v<S, Ball> ? WorkingPrecision::bits() : std::min(WorkingPrecision::bits(), 44L);
+}
+
 // What the friction does to x_j''.
 template <class S>
 S pushed(const LinearPhases& phases, int side, const S& force) {
@@ -236,14 +242,14 @@ double SmoothPhaseOf<S>::size(const Square& derivative) const {
   return most;
 }
 
-// In which what follows the last terms is below the working precision, if they go on as they do.
+// In which what follows the last terms is below those bits, if they go on as they do.
 template <class S>
 double SmoothPhaseOf<S>::likely_length(const Series& series) const {
   const std::size_t order = series.w.size();
   double length = 2 * std::max(over_all(T_).approximate(), 1e-300);
   const auto shorten = [&](double whole, double term, std::size_t k) {
     if (whole > 0 && term > 0) {
-      const double bits = static_cast<double>(WorkingPrecision::bits()) + std::log2(term / whole);
+      const double bits = static_cast<double>(bits_in_time<S>()) + std::log2(term / whole);
       length = std::min(length, std::exp2(-bits / static_cast<double>(k)));
     }
   };
@@ -305,12 +311,12 @@ auto SmoothPhaseOf<S>::over(const Series& here, double length) const -> std::opt
 
 template <class S>
 auto SmoothPhaseOf<S>::step(const Column& w, double start, double longest) const -> std::optional<Step> {
-  constexpr long bits_for_a_term = 2;
+  constexpr long bits_for_a_term = std::is_same_v<S, Ball> ? 2 : 3;
   constexpr double spare = 0x1p8, shorter = 0.75;
   if (!std::ranges::all_of(w, [](const S& x) { return over_all(x).is_finite(); })) {
     return std::nullopt;
   }
-  const long bits = WorkingPrecision::bits();
+  const long bits = bits_in_time<S>();
   const auto order = static_cast<std::size_t>(bits / bits_for_a_term);
   Series here =
       series(w, with_derivative_ ? constant<S>(Matrix::Identity(states_, states_)) : Square(), order - 1);

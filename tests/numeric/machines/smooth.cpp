@@ -384,8 +384,7 @@ TEST_CASE("a cycle on a smooth law is proved over an interval") {
   CHECK(joints_between(at, motions, branches::State::unstable)[0].state.truth != Truth::proved);
 }
 
-TEST_CASE("a cycle on a smooth law is proved over a box of its data" * doctest::test_suite("nightly") *
-          doctest::skip()) {
+TEST_CASE("a cycle on a smooth law is proved over a box of its data") {
   const Values middle{Rational("3/2"), Rational("1/2")};
   const DataBox box{
       one_mass_at, {Rational("149/100"), Rational("99/200")}, {Rational("151/100"), Rational("101/200")}};
