@@ -92,6 +92,7 @@ class Chain {
   [[nodiscard]] Spread spread() const;
   // Zero where phase i ends, as a row.
   [[nodiscard]] Vector event(std::size_t i) const;
+  // For all machines likewise.
   [[nodiscard]] InData<Ball> duration(const NodesInData& nodes, std::size_t i) const;
   [[nodiscard]] PassageInData course(const NodesInData& nodes, std::size_t i, bool with_derivative) const;
   [[nodiscard]] InData<Matrix> event_in_data(std::size_t i) const;

@@ -59,8 +59,7 @@ struct Effort {
 
 // The parts make up the box. `motions`: of one family as far as it is known, at least one, all through the
 // same phases. Undecided where the numbers are not known as functions of the data and where parts would be
-// smaller than the effort allows. Throws as NumbersInData does, and
-// DomainError for a motion outside.
+// smaller than the effort allows. Throws as NumbersInData does, and DomainError for a motion outside.
 [[nodiscard]] std::vector<PartOfBox> motions_over(const DataBox& box, const std::vector<MotionAt>& motions,
                                                   const Effort& effort);
 

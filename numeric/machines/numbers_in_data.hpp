@@ -29,7 +29,8 @@ class NumbersInData {
   // Why nothing is known of the numbers, else empty; what follows needs that.
   [[nodiscard]] const std::string& why_not() const { return why_not_; }
 
-  // For the values middle + s half, s between -1 and 1. Not finite where a quotient may have a pole.
+  // For the values middle + s half, s between -1 and 1; a smooth law has one piece, from 0, in place of those
+  // near it. Not finite where a quotient may have a pole.
   [[nodiscard]] OscillatorInData over(const Values& middle, const Values& half) const;
 
  private:
