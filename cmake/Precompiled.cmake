@@ -36,8 +36,9 @@ stickslip_precompiled(stickslip_symbolic_headers LIGHT
 # stickslip_together(TARGET NAME SOURCES…): these sources of the target are compiled as one, so that the headers and
 # templates which they share are read once. Their unnamed namespaces are then one, and no local variable can be told from
 # a name in another source: the preset `debug` compiles each alone, and warns of shadows.
+option(STICKSLIP_EACH_ALONE "Compile each source alone, as the preset debug does" "${CMAKE_DISABLE_PRECOMPILE_HEADERS}")
 function(stickslip_together target name)
-  if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
+  if(STICKSLIP_EACH_ALONE)
     return()
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

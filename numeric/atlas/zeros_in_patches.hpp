@@ -301,7 +301,7 @@ template <class S, int N, class F>
     const std::array<S, 2> at = solved(K->at);
     for (std::size_t k = 0; k < 2; ++k) {
       T& x = forms[k];
-      const S reach = x.slopes[k == 0 ? 0 : static_cast<std::size_t>(N - 1)];
+      const S reach = static_cast<const S&>(x.slopes[k == 0 ? 0 : static_cast<std::size_t>(N - 1)]);
       const S centre = x.at;
       x.slopes.fill(S(0));
       x.at = centre + reach * at[k];

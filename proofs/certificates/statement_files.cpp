@@ -118,7 +118,7 @@ std::string statements_file(const Records& records, const std::vector<Definition
   std::string names;
   for (auto one = short_names.rbegin(); one != short_names.rend(); ++one) {  // later ones use earlier ones
     if (std::ranges::any_of(said, [&](const Formula& formula) { return uses(formula, *one); })) {
-      names = "\n" + coq_definition(*one) + names;
+      names.insert(0, "\n" + coq_definition(*one));
       said.push_back(one->body());
     }
   }

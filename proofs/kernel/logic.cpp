@@ -120,7 +120,8 @@ class Tables {
 
 }  // namespace
 
-Theorem::Theorem(Step step, const Formula& conclusion) : Theorem(step, hypotheses_of(step), conclusion) {}
+Theorem::Theorem(const Step& step, const Formula& conclusion)
+    : Theorem(step, hypotheses_of(step), conclusion) {}
 
 Theorem Theorem::assume(const Formula& a) {
   return {{.rule = "assume", .data = {a}}, {a}, a};

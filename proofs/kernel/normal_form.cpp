@@ -129,8 +129,9 @@ class Atoms {
         result.quarters += quarters.get_num();
         continue;
       }
-      const auto known = std::find_if(phases_.begin(), phases_.end(),
-                                      [&](const Phase& phase) { return equal(phase.angle, monomial); });
+      const auto known =
+          std::find_if(phases_.begin(), phases_.end(),
+                       [&, &angle = monomial](const Phase& phase) { return equal(phase.angle, angle); });
       result.phases.emplace_back(known - phases_.begin(), coefficient);
       if (known == phases_.end()) {
         phases_.push_back({monomial, coefficient.get_den()});

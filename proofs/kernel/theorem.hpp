@@ -165,7 +165,7 @@ class Theorem final {
   // Throw KernelError if something is no closed formula, or if one name stands for two types. Without
   // hypotheses: under all that the step's premises have, and its divisors.
   Theorem(Step step, Formulas hypotheses, const Formula& conclusion);
-  Theorem(Step step, const Formula& conclusion);
+  Theorem(const Step& step, const Formula& conclusion);
   std::shared_ptr<const Data> data_;
 };
 

@@ -36,9 +36,9 @@ std::vector<Theorem> solved(Derivation& derivation, const Theorem& equation) {
     if (occurs(letter, slope) || occurs(letter, rest)) {
       continue;  // x in an equation with cos(x)
     }
+    const Term by = letters.term(below) / slope;
     if (const auto solution = tactics::attempt([&] {
-          return derivation.combination(equal(letter, rest / slope),
-                                        {{equation, letters.term(below) / slope, 1}});
+          return derivation.combination(equal(letter, rest / slope), {{equation, by, 1}});
         })) {
       result.push_back(*solution);
     }

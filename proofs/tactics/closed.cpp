@@ -127,8 +127,8 @@ Theorem certainly_not(const Formula& formula) {
   }
 }
 
-Theorem without_hypotheses(Theorem theorem) {
-  return settled_by(std::move(theorem), certainly);
+Theorem without_hypotheses(const Theorem& theorem) {
+  return settled_by(theorem, certainly);
 }
 
 namespace {

@@ -17,7 +17,7 @@ namespace stickslip::proofs::tactics {
 [[nodiscard]] Theorem certainly_not(const Formula& formula);
 // The theorem less those of its hypotheses that are of this kind and hold. Throws KernelError where one of
 // the hypotheses is not decided.
-[[nodiscard]] Theorem without_hypotheses(Theorem theorem);
+[[nodiscard]] Theorem without_hypotheses(const Theorem& theorem);
 
 // Terms in floating point at a point that is made up: what is not even nearly zero there need not be tried.
 

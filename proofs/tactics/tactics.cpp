@@ -88,7 +88,7 @@ Theorem there_are(const std::vector<Variable>& names, Formula formula, const ker
   return theorem;
 }
 
-Theorem there_are(const std::vector<Variable>& names, Theorem theorem) {
+Theorem there_are(const std::vector<Variable>& names, const Theorem& theorem) {
   return there_are(names, theorem.conclusion(), {}, theorem);
 }
 

@@ -88,7 +88,7 @@ template <class All, class Work>
 [[nodiscard]] Theorem there_are(const std::vector<Variable>& names, Formula formula,
                                 const kernel::Substitution& values, Theorem theorem);
 // ⊢ there are these, the first outermost: what the theorem says of them.
-[[nodiscard]] Theorem there_are(const std::vector<Variable>& names, Theorem theorem);
+[[nodiscard]] Theorem there_are(const std::vector<Variable>& names, const Theorem& theorem);
 // A ⇒ C and A give C.
 [[nodiscard]] Theorem detach(const Theorem& implication, const Theorem& premise);
 // for all t: A(t) ⇒ C(t), and A(x), give C(x).

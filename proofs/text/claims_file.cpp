@@ -456,7 +456,7 @@ class Reading {
     // A parameter is read as a symbol that nobody can type: other abbreviations in the formula may speak of a
     // symbol of its name, which is not put in.
     for (std::string& parameter : abbreviation.parameters) {
-      const std::string apart = parameter + " of " + name;
+      const std::string apart = fmt::format("{} of {}", parameter, name);
       inside.abbreviations.insert_or_assign(parameter, symbols::Abbreviation{{}, symbols::scalar(apart)});
       parameter = apart;
     }

@@ -21,7 +21,7 @@ using namespace tools;
 namespace {
 
 std::string none_or_counted(std::size_t count, const char * one, const char * many) {
-  return count == 0 ? fmt::format("no {}", many) : counted(static_cast<long>(count), one, many);
+  return count == 0 ? fmt::format("no {}", many) : counted(count, one, many);
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ std::string labelled(std::size_t indent, const std::string& label, const std::st
   return columns_of({{{std::string(indent, ' ') + label}, {text}}}, width);
 }
 
-std::string counted(long count, const std::string& one, const std::string& many) {
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many.empty() ? one + "s" : many);
 }
 

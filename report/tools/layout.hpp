@@ -36,7 +36,7 @@ using Row = std::vector<Cell>;
                                    std::size_t width);
 
 // "1 orbit", "2 orbits", "2 branches": by default the plural has an s.
-[[nodiscard]] std::string counted(long count, const std::string& one, const std::string& many = "");
+[[nodiscard]] std::string counted(std::size_t count, const std::string& one, const std::string& many = "");
 
 // What the function makes of each member, one behind the other with the separator between them.
 template <class Range, class Function = std::identity>

@@ -59,6 +59,7 @@ while (($#)); do
   case $1 in
     --build) building=yes; [[ $2 == --preset ]] || { preset=${2#build/}; shift; } ;;
     --preset) preset=$2; shift ;;
+    -B) preset=${2#build/}; shift ;;
     --target) shift; targets=("$@"); break ;;
   esac
   shift
@@ -118,7 +119,7 @@ has check "$STATE/installed" || refuse "no clang-format"
 EOF
 player run-clang-tidy <<'EOF'
 . "${0%/*}/uses"
-has check "$STATE/installed" && [[ -f $tree/build/debug/configured ]] || refuse "no clang-tidy, or nothing to read"
+has check "$STATE/installed" && [[ -f $tree/build/tidy/configured ]] || refuse "no clang-tidy, or nothing to read"
 EOF
 player git <<'EOF'
 [[ $1 == status ]] || printf 'a.cpp\0'
