@@ -246,7 +246,7 @@ Theorem Derivation::premise(const Premise& premise, std::size_t which) {
   throw KernelError("there is no theorem of " + premise.id);
 }
 
-Theorem Derivation::settled(Theorem theorem) {
+Theorem Derivation::settled(const Theorem& theorem) {
   return without_divisors(settled_by(theorem, [&](const Formula& one) -> std::optional<Theorem> {
     const auto supplier = std::ranges::find(supplied_, one, &Theorem::conclusion);
     if (assumed_.contains(one) || domain_formulas().contains(one) ||

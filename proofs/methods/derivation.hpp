@@ -68,7 +68,7 @@ class Derivation {
   // and uses. Throws KernelError likewise.
   void record(Outcome& outcome, const kernel::Theorem& theorem, const kernel::Formulas& allowed = {});
   // The theorem without hypotheses that follow from what the claim assumes, or from claims that supply them.
-  [[nodiscard]] kernel::Theorem settled(kernel::Theorem theorem);
+  [[nodiscard]] kernel::Theorem settled(const kernel::Theorem& theorem);
   // The theorem with fewer and simpler hypotheses d ≠ 0: less what the parameters' domain and the claim's
   // assumptions imply, the irreducible factors of the rest, and of these the strongest.
   [[nodiscard]] kernel::Theorem without_divisors(const kernel::Theorem& theorem);

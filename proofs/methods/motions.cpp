@@ -171,7 +171,7 @@ Proof by_mean_value(MeanValue step) {
   return by_kernel("mean value theorem", derive);
 }
 
-Proof by_chain_rule(std::vector<Premise> premises, const std::optional<symbols::Term>& later) {
+Proof by_chain_rule(const std::vector<Premise>& premises, const std::optional<symbols::Term>& later) {
   const auto derive = [premises, later](Derivation& derivation, std::size_t which) {
     const AlmostAlways goal = read_as_almost_always(Theorem::assume(derivation.printed(which)));
     const auto [from, to] = interval(goal.few.conclusion());
@@ -283,7 +283,7 @@ class Decrease {
 
 }  // namespace
 
-Proof by_decrease(Premise rate, symbols::Term weight) {
+Proof by_decrease(const Premise& rate, const symbols::Term& weight) {
   const auto derive = [=](Derivation& derivation, std::size_t which) {
     const Formula goal = derivation.printed(which);
     const Decrease decrease(derivation, rate, weight, goal);
@@ -370,7 +370,7 @@ std::optional<Theorem> of_shorter(Derivation& derivation, const Formula& formula
 }
 
 // The theorem less what it supposes and the claim does not, as far as that is found.
-Theorem supplied_with(Derivation& derivation, Theorem theorem, const Formulas& assumed,
+Theorem supplied_with(Derivation& derivation, const Theorem& theorem, const Formulas& assumed,
                       const Theorems& supplied) {
   Theorems equations;
   for (const Formula& one : assumed) {

@@ -36,12 +36,12 @@ struct MeanValue {
 // The printed statement "d/dt f = g" (or another one) of almost all times of an interval, by the chain
 // rule from premises that say such things of the motions in it: in each case that the premises' signs leave.
 // With `later`, the premises are used at t + later.
-[[nodiscard]] Proof by_chain_rule(std::vector<Premise> premises,
+[[nodiscard]] Proof by_chain_rule(const std::vector<Premise>& premises,
                                   const std::optional<symbols::Term>& later = {});
 
 // `rate` says "d/dt E = r" of almost all times of [a, b], a <= b. Where r is not zero by its signs sign(a_i),
 // r is at most minus the weight times the sum of |a_i|. The printed inequality is E(b) <= E(a).
-[[nodiscard]] Proof by_decrease(Premise rate, symbols::Term weight);
+[[nodiscard]] Proof by_decrease(const Premise& rate, const symbols::Term& weight);
 
 // The same, and what is assumed under the ids `returns`, as "X(b) = X(a)", says that E is at b what it is at
 // a. So E does not change, r = 0, and the printed statement, of almost
