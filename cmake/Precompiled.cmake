@@ -33,10 +33,11 @@ stickslip_precompiled(stickslip_numeric_headers HEADERS ${stickslip_numeric_set}
 stickslip_precompiled(stickslip_symbolic_headers LIGHT
                       HEADERS ${stickslip_symbolic_set} LIBRARIES ${stickslip_symbolic_needs})
 
+option(STICKSLIP_EACH_ALONE "Compile each source alone, as the preset debug does" "${CMAKE_DISABLE_PRECOMPILE_HEADERS}")
+
 # stickslip_together(TARGET NAME SOURCES…): these sources of the target are compiled as one, so that the headers and
 # templates which they share are read once. Their unnamed namespaces are then one, and no local variable can be told from
 # a name in another source: the preset `debug` compiles each alone, and warns of shadows.
-option(STICKSLIP_EACH_ALONE "Compile each source alone, as the preset debug does" "${CMAKE_DISABLE_PRECOMPILE_HEADERS}")
 function(stickslip_together target name)
   if(STICKSLIP_EACH_ALONE)
     return()
