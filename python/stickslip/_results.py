@@ -60,7 +60,7 @@ class Condition:
 class Neighbourhood:
     """Starts whose motions are all proved to converge to a stable orbit, or why none was proved.
 
-    The set is {centre + S z: |z| <= radius} of states (x1, x2, x1', x2') at load phase theta.
+    The set is centre + S z for all z whose norm is at most radius: states (x1, x2, x1', x2') at load phase theta.
     """
 
     verdict: str  #: "proved" or "undecided"
