@@ -71,7 +71,7 @@ function(stickslip_install_package)
   # Before 1.0.0 a minor version may change what it likes.
   write_basic_package_version_file(stickslipConfigVersion.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/stickslipConfig.cmake ${PROJECT_BINARY_DIR}/stickslipConfigVersion.cmake
-                ${PROJECT_SOURCE_DIR}/cmake/FindArb.cmake
+                ${PROJECT_SOURCE_DIR}/cmake/FindArb.cmake ${PROJECT_SOURCE_DIR}/cmake/FindGLPK.cmake
           DESTINATION ${stickslip_installed_cmake} COMPONENT development)
   install(EXPORT stickslip NAMESPACE stickslip:: FILE stickslipTargets.cmake
           DESTINATION ${stickslip_installed_cmake} COMPONENT development)
@@ -80,5 +80,5 @@ function(stickslip_install_package)
   stickslip_pkg_config(symbolic "Identities of dry-friction oscillators derived, decided, printed as LaTeX"
                        "eigen3 fmt gmpxx tbb ginac cln" "-lstickslip_symbolic")
   stickslip_pkg_config(proofs "Statements of a paper as claims, proved by a small kernel"
-                       "stickslip-symbolic stickslip-numeric" "-lstickslip_proofs -lstickslip_tactics -lstickslip_kernel")
+                       "stickslip-symbolic stickslip-numeric" "-lstickslip_proofs -lstickslip_tactics -lstickslip_kernel -lglpk")
 endfunction()

@@ -21,6 +21,7 @@ namespace stickslip::proofs::methods {
 
 using namespace kernel;
 using symbols::Statement;
+using tactics::attempt, tactics::first_that_works;
 
 namespace {
 
@@ -28,7 +29,7 @@ namespace {
 Theorem differs(Derivation& derivation, const Formula& formula) {
   const Formula& same = formula.parts()[0];
   const Term gap = same.parts()[1] == Term(0) ? same.parts()[0] : same.parts()[0] - same.parts()[1];
-  const auto by_sign = tactics::first_that_works(std::array{false, true}, [&](bool turned) {
+  const auto by_sign = first_that_works(std::array{false, true}, [&](bool turned) {
     const Theorem positive = derivation.positive(turned ? -gap : gap);
     const Theorem nonzero = tactics::different(
         turned ? derivation.order(less(gap, 0), {kernel::Positive{{positive}}}) : positive);
@@ -47,51 +48,11 @@ Theorem by_product(Derivation& derivation, const Formula& formula) {
   return derivation.order(formula, {not_negative(derivation, gap_of(formula))});
 }
 
-// a ≤ b or a < b, where b - a is a polynomial of degree two that is a sum of squares and of a constant.
-Theorem by_squares(Derivation& derivation, const Formula& formula) {
-  const Term gap = gap_of(formula), opened = unfold(gap, derivation.open({gap}));
-  const tactics::Letters letters({opened});
-  const PolynomialRing& ring = letters.ring();
-  auto [rest, below] = letters.fraction(opened);
-  const auto fail = [] { throw KernelError("it is no sum of squares"); };
-  if (!is_constant(below)) {
-    fail();
-  }
-  rest *= ring.constant(1 / leading_coefficient(below));
-  std::vector<kernel::Positive> squares;
-  for (std::size_t k = 0; k < letters.terms().size(); ++k) {
-    if (degree(rest, k) <= 0) {
-      continue;
-    }
-    const Polynomial pivot = coefficient(rest, k, 2);
-    const Rational size = leading_coefficient(pivot);
-    if (degree(rest, k) != 2 || !is_constant(pivot) || size <= 0) {
-      fail();
-    }
-    Polynomial base = coefficient(rest, k, 1);
-    base *= ring.constant(1 / (2 * size));
-    base += ring.generator(k);
-    squares.push_back({{}, size, letters.term(base)});
-    Polynomial square = base;
-    square *= base;
-    square *= ring.constant(-size);
-    rest += square;
-  }
-  if (!is_constant(rest) || leading_coefficient(rest) < 0) {
-    fail();
-  }
-  if (!rest.is_zero()) {
-    squares.push_back({{}, leading_coefficient(rest), 1});
-  }
-  return derivation.order(formula, squares);
-}
-
 // The first that works.
 Theorem first_of(const std::vector<Theorem (*)(Derivation&, const Formula&)>& ways, Derivation& derivation,
                  const Formula& formula) {
   const std::vector tried(ways.begin(), ways.end() - 1);
-  const auto found =
-      tactics::first_that_works(tried, [&](const auto way) { return way(derivation, formula); });
+  const auto found = first_that_works(tried, [&](const auto way) { return way(derivation, formula); });
   return found ? *found : ways.back()(derivation, formula);
 }
 
@@ -121,14 +82,20 @@ Theorem directly(Derivation& derivation, const Formula& formula) {
     return first_of({at_values, differs}, derivation, formula);
   }
   if (formula.kind() == kernel::Kind::at_most) {
-    return first_of({by_product, by_squares, at_values, what_follows}, derivation, formula);
+    return first_of({by_product, at_values, what_follows}, derivation, formula);
   }
   if (formula.kind() == kernel::Kind::exists) {
     return derivation.combination(formula);  // there are derivatives with which it holds
   }
-  return formula.kind() == kernel::Kind::less
-             ? first_of({by_squares, at_values, what_follows}, derivation, formula)
-             : derivation.follows(formula);
+  if (formula.kind() == kernel::Kind::conjunction) {
+    std::vector<Theorem> parts;
+    for (const Formula& one : formula.parts()) {
+      parts.push_back(directly(derivation, one));
+    }
+    return tactics::both(parts);
+  }
+  return formula.kind() == kernel::Kind::less ? first_of({at_values, what_follows}, derivation, formula)
+                                              : derivation.follows(formula);
 }
 
 // Each assumed equation solved in one of its ways, and put into what is to be shown; `choice` counts the
@@ -214,6 +181,17 @@ Outcome as_combination(Prover& prover, const Claim& claim) {
                  });
 }
 
+Outcome as_factor(Prover& prover, const Claim& claim) {
+  return derived("a factor of what is zero, and the others are not", prover, claim,
+                 [](Derivation& derivation, std::size_t which) {
+                   const Formula printed = derivation.printed(which);
+                   if (!is_equation_of_numbers(printed)) {
+                     throw KernelError("it is no equation between numbers");
+                   }
+                   return derivation.related(printed);
+                 });
+}
+
 // With the assumed equations as rules, for matrices whose order matters.
 Outcome rewritten(Prover& prover, const Claim& claim) {
   std::vector<Premise> premises;
@@ -235,7 +213,7 @@ Outcome rewritten(Prover& prover, const Claim& claim) {
 
 Outcome first_that_proves(Prover& prover, const Claim& claim) {
   std::optional<Outcome> first;
-  for (const auto method : {by_itself_alone, with_equations_put_in, as_combination, rewritten}) {
+  for (const auto method : {by_itself_alone, with_equations_put_in, as_combination, as_factor, rewritten}) {
     Outcome outcome = method(prover, claim);
     if (outcome.verdict.truth == Truth::proved) {
       return outcome;

@@ -36,14 +36,6 @@ std::set<Term> parts_that(const Term& term, const std::function<bool(const Term&
   return result;
 }
 
-bool is_inequality(const Formula& formula) {
-  return formula.kind() == kernel::Kind::less || formula.kind() == kernel::Kind::at_most;
-}
-
-Term gap_of(const Formula& relation) {
-  return relation.parts()[1] - relation.parts()[0];
-}
-
 namespace {
 
 // About the number of symbols that it takes to write the term down with these definitions opened.

@@ -49,6 +49,9 @@ class Derivation {
                                       const std::vector<kernel::Multiple>& multiples = {});
   // An inequality or an equation, or several, from what the claim assumes.
   [[nodiscard]] kernel::Theorem follows(const kernel::Formula& formula);
+  // An inequality or an equation as tactics/relations finds it from all that is known, all definitions looked
+  // into.
+  [[nodiscard]] kernel::Theorem related(const kernel::Formula& formula);
   // An equation between numbers as a combination of those that the claim assumes, which is looked for
   // (letters.hpp).
   [[nodiscard]] kernel::Theorem combined(const kernel::Formula& equation);
@@ -91,8 +94,6 @@ class Derivation {
   using Rule = std::function<kernel::Theorem(const Problem&)>;
 
   void look_into_stated();
-  [[nodiscard]] std::optional<kernel::Theorem> with_rest(const kernel::Formula& formula,
-                                                         const kernel::Theorem& known);
   [[nodiscard]] std::vector<kernel::Theorem> positive_sines(const kernel::Term& term);
   [[nodiscard]] static std::vector<kernel::Term> residual(const Problem& problem);
   [[nodiscard]] kernel::Theorem solved(const Problem& problem, bool is_order);
@@ -130,9 +131,7 @@ using Derive = std::function<kernel::Theorem(Derivation&, std::size_t)>;
 // The parts of the term, itself among them, of which this is so.
 [[nodiscard]] std::set<kernel::Term> parts_that(const kernel::Term& term,
                                                 const std::function<bool(const kernel::Term&)>& are_so);
-[[nodiscard]] bool is_inequality(const kernel::Formula& formula);
-// b - a for a = b, a < b or a ≤ b.
-[[nodiscard]] kernel::Term gap_of(const kernel::Formula& relation);
+using tactics::gap_of, tactics::is_inequality;
 
 // Products that are not negative.
 

@@ -7,6 +7,7 @@
 #include "proofs/methods/refutation.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
+#include "proofs/tactics/relations.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -122,6 +123,12 @@ Theorem identity_of(const Formula& formula, const Definitions& unfolded) {
   const Formula open = opened(formula, D);
   const Term f = opened(open.parts()[0], time_variable).parts()[0];
   const Theorem slope = Theorem::differentiate(f, time_variable);
+  for (const Formula& one : slope.hypotheses()) {
+    if (occurs(time_variable, one)) {
+      throw KernelError("a derivative is one at all times, and here it divides by " +
+                        to_string(one.parts()[0].parts()[0]));
+    }
+  }
   const Theorem at_all_times = Theorem::generalize(slope, time_variable);
   const Term value = lambda(time_variable, slope.conclusion().parts()[2]);
   const Theorem rest = identity_of(substitute(open.parts()[1], {{D, value}}), unfolded);
@@ -276,39 +283,55 @@ Theorem Derivation::follows(const Formula& formula) {
   try {
     return with_fewest_given(problem, rule);
   } catch (const KernelError&) {
-    for (const Theorem& known : known_) {
-      if (const auto theorem = with_rest(formula, known)) {
-        return *theorem;
-      }
+    if (const auto theorem = attempt([&] { return related(formula); })) {
+      return *theorem;
     }
     throw;
   }
 }
 
-// As a multiple of an inequality that is known, and a positive rest without one of its letters.
-std::optional<Theorem> Derivation::with_rest(const Formula& formula, const Theorem& known) {
-  const Term goal = gap_of(formula), gap = gap_of(known.conclusion());
-  const Letters letters({goal, gap});
-  const auto slope_of = [&](const Fraction& fraction, std::size_t letter) -> std::optional<Rational> {
-    const Polynomial slope = coefficient(fraction.above, letter, 1);
-    const bool is_linear =
-        degree(fraction.above, letter) == 1 && is_constant(slope) && is_constant(fraction.below);
-    return is_linear
-               ? std::optional<Rational>(leading_coefficient(slope) / leading_coefficient(fraction.below))
-               : std::nullopt;
+Theorem Derivation::related(const Formula& formula) {
+  if (!is_inequality(formula) && !is_equation_of_numbers(formula)) {
+    throw KernelError("it is no relation between numbers");
+  }
+  const Rule rule = [&](const Problem& one) {
+    std::vector<Formula> said{one.goal};
+    for (const Positive& known : one.positives) {
+      said.push_back(known.inequalities[0].conclusion());
+    }
+    for (const Multiple& known : one.multiples) {
+      said.push_back(known.equation.conclusion());
+    }
+    const Definitions definitions = openings(said).all();
+    const auto look_into = [&](const Theorem& known) {
+      return Theorem::convert(known, unfold(known.conclusion(), definitions), definitions);
+    };
+    std::vector<Theorem> known;
+    for (const Positive& positive : one.positives) {
+      known.push_back(look_into(positive.inequalities[0]));
+    }
+    for (const Multiple& multiple : one.multiples) {
+      known.push_back(look_into(multiple.equation));
+    }
+    return without_divisors(
+        Theorem::convert((is_inequality(one.goal) ? tactics::inequality : tactics::equation)(
+                             unfold(one.goal, definitions), known),
+                         one.goal, definitions));
   };
-  for (std::size_t k = 0; k < letters.terms().size(); ++k) {
-    try {
-      const auto a = slope_of(letters.fraction(goal), k), b = slope_of(letters.fraction(gap), k);
-      if (a && b && *a / *b > 0) {
-        const Rational factor = *a / *b;
-        return order(formula, {Positive{{known}, factor}, Positive{{positive(goal - Term(factor) * gap)}}});
-      }
-    } catch (const KernelError&) {
-      continue;
+  Problem problem{formula};
+  for (const Theorem& known : domain_) {
+    if (is_inequality(known.conclusion())) {
+      problem.positives.push_back({{known}});
     }
   }
-  return std::nullopt;
+  for (const Formula& one : assumed()) {
+    const bool is_given =
+        std::ranges::any_of(given_, [&](const Given& given) { return given.equation.conclusion() == one; });
+    if (is_equation_of_numbers(one) && !is_given) {
+      problem.multiples.push_back({Theorem::assume(one)});
+    }
+  }
+  return with_fewest_given(problem, rule);
 }
 
 Theorem Derivation::combined(const Formula& equation) {

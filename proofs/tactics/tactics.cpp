@@ -16,6 +16,14 @@ Theorem below(const Variable& x, const Term& upper) {
   return Theorem::assume(less(x, upper));
 }
 
+bool is_inequality(const Formula& formula) {
+  return formula.kind() == Kind::less || formula.kind() == Kind::at_most;
+}
+
+Term gap_of(const Formula& relation) {
+  return relation.parts()[1] - relation.parts()[0];
+}
+
 Term unit(int rows, int columns, std::size_t place) {
   std::vector<Term> entries(static_cast<std::size_t>(rows * columns), 0);
   entries.at(place) = 1;

@@ -30,6 +30,10 @@ using Domain = std::vector<Theorem>;
 [[nodiscard]] Theorem below(const Variable& x, const Term& upper);
 
 // ---- Terms
+// a < b or a ≤ b.
+[[nodiscard]] bool is_inequality(const Formula& formula);
+// b - a for a = b, a < b or a ≤ b.
+[[nodiscard]] Term gap_of(const Formula& relation);
 // The terms and the parts of their parts, each once, a whole before its parts: these only where `visit` says
 // true of the whole.
 template <class Visit>

@@ -63,6 +63,67 @@ TEST_CASE("a line of one's own is proved") {
   CHECK(truth_of("x^2 - x + 1 > 0", {}, {"x"}) == Truth::proved);
 }
 
+TEST_CASE("an inequality is a sum of products of squares and of what is known") {
+  const std::vector<std::string> own{"a", "b", "c", "x", "y", "z"};
+  const auto is_proved = [&](const std::string& line, const std::vector<std::string>& assumptions = {}) {
+    CHECK(truth_of(line, assumptions, own) == Truth::proved);
+  };
+  is_proved("x^4 - x^2 + 1 > 0");
+  is_proved("x^4 - 3 x^2 + 3 > 0");
+  is_proved("5 a^2 - 14 a b + 10 b^2 + 12 c^2 - 2 a c >= 0");
+  is_proved("a^4 + b^4 >= a^3 b + a b^3");
+  is_proved("a^3 + b^3 + c^3 >= 3 a b c", {"a >= 0", "b >= 0", "c >= 0"});
+  is_proved("a/(b + c) + b/(c + a) + c/(a + b) >= 3/2", {"a > 0", "b > 0", "c > 0"});
+  is_proved("x (1 - x) >= 0", {"0 <= x <= 1"});
+  is_proved("a b <= 1", {"0 <= a <= 1", "0 <= b <= 1"});
+  is_proved("1/x > 1/z", {"0 < x", "x < y", "y < z"});
+  is_proved("a x + b y <= 1", {"a^2 + b^2 = 1", "x^2 + y^2 = 1"});
+  is_proved("(a sin(x) + b cos(x))^2 <= a^2 + b^2");
+  is_proved("|sin(x)| <= 1");
+  // What is false at one point only, or where an assumption is missing.
+  for (const char * line : {"x^4 - 2 x^2 + 1 > 0", "x (1 - x) >= 0", "a^3 + b^3 + c^3 >= 3 a b c", "x < z",
+                            "x^4 - x^2 + 1 > 7/9", "(a sin(x) + b cos(x))^2 < a^2 + b^2", "|sin(x)| < 1"}) {
+    CHECK(truth_of(line, {}, own) != Truth::proved);
+  }
+  CHECK(truth_of("a b < 1", {"0 <= a <= 1", "0 <= b <= 1"}, own) == Truth::refuted);
+}
+
+TEST_CASE("an inequality is followed along a variable in a sine or cosine") {
+  CHECK(truth_of("sin(t) < t", {"t > 0"}) == Truth::proved);
+  CHECK(truth_of("sin(t) > t", {"t < 0"}) == Truth::proved);
+  CHECK(truth_of("1 - t^2/2 <= cos(t) <= 1 - t^2/2 + t^4/24") == Truth::proved);
+  CHECK(truth_of("t - t^3/6 <= sin(t)", {"t >= 0"}) == Truth::proved);
+  CHECK(truth_of("tan(t) > t", {"0 < t < pi/2"}) == Truth::proved);
+  CHECK(truth_of("t cos(t) <= sin(t)", {"0 <= t <= pi"}) == Truth::proved);
+  CHECK(truth_of("cos(a) > cos(b)", {"0 < a", "a < b < pi"}, {"a", "b"}) == Truth::proved);
+  CHECK(truth_of("cos(t) > 0", {"-pi/2 < t < pi/2"}) == Truth::proved);
+  CHECK(truth_of("sin(t) >= 0", {"0 <= t <= pi"}) == Truth::proved);
+  CHECK(truth_of("sin(t) < 2") == Truth::proved);
+  // Beyond an end, and where the start or the slope fails.
+  CHECK(truth_of("sin(t) > 0", {"0 <= t <= pi"}) != Truth::proved);
+  CHECK(truth_of("sin(t) >= 0", {"0 <= t <= 22/7"}) != Truth::proved);
+  CHECK(truth_of("sin(t) < t", {"t >= 0"}) != Truth::proved);
+  CHECK(truth_of("cos(t) >= 1 - t^2/3") != Truth::proved);
+  CHECK(truth_of("tan(t) > t", {"0 < t < pi"}) != Truth::proved);
+  CHECK(truth_of("cos(a) > cos(b)", {"0 < a", "a < b < 4"}, {"a", "b"}) != Truth::proved);
+}
+
+TEST_CASE("what is a factor of zero is zero where the others are not") {
+  const std::vector<std::string> own{"a", "b", "x"};
+  CHECK(truth_of("x = 2", {"x^2 = 4", "x > 0"}, own) == Truth::proved);
+  CHECK(truth_of("x = 1", {"x^3 = 1"}, own) == Truth::proved);
+  CHECK(truth_of("a = b", {"a^2 = b^2", "a > 0", "b >= 0"}, own) == Truth::proved);
+  CHECK(truth_of("a = 0", {"a^2 + b^2 = 0"}, own) == Truth::proved);
+  CHECK(truth_of("cos(pi/3) = 1/2") == Truth::proved);
+  CHECK(truth_of("sin(pi/6) = 1/2") == Truth::proved);
+  CHECK(truth_of("4 cos(pi/5)^2 - 2 cos(pi/5) - 1 = 0") == Truth::proved);
+  CHECK(truth_of("x = 2", {"x^2 = 4", "x > -3"}, own) != Truth::proved);
+  CHECK(truth_of("a = b", {"a^2 = b^2", "a > 0"}, own) != Truth::proved);
+  CHECK(truth_of("a = 0", {"a^2 = b^2"}, own) != Truth::proved);
+  CHECK(truth_of("cos(2 pi/3) = 1/2") != Truth::proved);
+  CHECK(truth_of("4 cos(2 pi/5)^2 - 2 cos(2 pi/5) - 1 = 0") != Truth::proved);
+}
+
 TEST_CASE("what is divided by is a hypothesis") {
   const Record record = record_of({"q2 = q1 (1 - omega^2)/chi"});
   CHECK(record.outcome.verdict.truth == Truth::proved);
@@ -110,7 +171,8 @@ TEST_CASE("nothing follows from what nothing obeys") {
 }
 
 TEST_CASE("what is not decided says why") {
-  CHECK(truth_of("sin(t) < 2") == Truth::undecided);
+  CHECK(truth_of("sin(t) > 2 t/pi", {"0 < t < pi/2"}) == Truth::undecided);
+  CHECK(reason_of({"d/dt[1/t] = -1/t^2"}) == "a derivative is one at all times, and here it divides by t");
   for (const char * line :
        {"1/(chi - chi) >= 0", "chi/0 > 1", "1/0 != 0", "(omega - omega)^-1 < 1", "0/0 <= 1"}) {
     CHECK(truth_of(line) == Truth::undecided);

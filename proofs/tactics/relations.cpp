@@ -1,0 +1,429 @@
+#include "proofs/tactics/relations.hpp"
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <utility>
+
+#include "proofs/tactics/closed.hpp"
+#include "proofs/tactics/letters.hpp"
+#include "proofs/tactics/sum_of_products.hpp"
+
+namespace stickslip::proofs::tactics {
+
+namespace {
+
+using namespace kernel;
+using kernel::Kind;
+using Theorems = std::vector<Theorem>;
+
+bool is_wave(const Term& term) {
+  return term.kind() == Kind::cosine || term.kind() == Kind::sine;
+}
+
+bool stands_in_wave(const Term& term, const Variable& x) {
+  return is_wave(term)
+             ? term.variables().contains(x)
+             : std::ranges::any_of(term.parts(), [&](const Term& part) { return stands_in_wave(part, x); });
+}
+
+Formula is_positive(const Term& a, bool strictly) {
+  return strictly ? less(0, a) : at_most(0, a);
+}
+
+// What is known of what stands in the goal, and of what stands in that.
+Theorems of_use(const Formula& goal, const Theorems& known) {
+  constexpr std::size_t most = 16;
+  Variables met = goal.variables();
+  Theorems result, rest = known;
+  for (bool changed = true; changed && result.size() < most;) {
+    changed = std::erase_if(rest, [&](const Theorem& one) {
+                const Variables& in_it = one.conclusion().variables();
+                const bool taken = result.size() < most && std::ranges::any_of(in_it, [&](const Variable& x) {
+                                     return met.contains(x);
+                                   });
+                if (taken) {
+                  result.push_back(one);
+                  met.insert(in_it.begin(), in_it.end());
+                }
+                return taken;
+              }) > 0;
+  }
+  return result;
+}
+
+// Whether it is negative at a point where the inequalities that are known hold, as far as floating point can
+// tell: then no proof need be looked for.
+bool seems_negative(const Term& a, const Theorems& known) {
+  Variables all = a.variables();
+  for (const Theorem& one : known) {
+    all.insert(one.conclusion().variables().begin(), one.conclusion().variables().end());
+  }
+  constexpr int most_points = 400, enough = 20;
+  constexpr long double in_doubt = 1e-12L;
+  std::minstd_rand random;
+  for (int k = 0, met = 0; k < most_points && met < enough; ++k) {
+    Point point;
+    for (const Variable& x : all) {  // up to 1 or 6, every other time of both signs
+      const long step = static_cast<long>(random() % 1024) - (k % 2 == 0 ? 0 : 512);
+      point[x] = Rational(step) / (k % 3 == 0 ? 1024 : 160);
+    }
+    const auto holds = [&](const Theorem& one) {
+      return is_inequality(one.conclusion()) && estimated(gap_of(one.conclusion()), point) > 0;
+    };
+    if (std::ranges::all_of(known, holds)) {
+      ++met;
+      if (estimated(a, point) < -in_doubt) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// ⊢ 0 < x and x < pi ⇒ 0 < sin x, and with ≤ everywhere.
+Theorem sine_between(const Term& x, bool strictly) {
+  const Theorem inside = Theorem::sine_is_positive(x);
+  if (strictly) {
+    return inside;
+  }
+  const Formula wanted = at_most(0, sin(x));
+  std::vector<Theorem> cases{inside, Theorem::trichotomy(0, x), Theorem::trichotomy(x, pi()),
+                             Theorem::trichotomy(0, sin(x))};
+  for (const bool at_start : {true, false}) {
+    const Formula at_end = at_start ? equal(0, x) : equal(x, pi());
+    const Theorem end = at_start ? Theorem::assume(at_end) : symmetric(Theorem::assume(at_end));
+    const Variable place = fresh(real_number, {x});
+    const Theorem there = Theorem::order(at_most(0, sin(at_start ? Term(0) : pi())), {});
+    cases.push_back(Theorem::discharge(Theorem::replace(end, place, at_most(0, sin(place)), there), at_end));
+  }
+  return Theorem::consequence(cases, implies(all({at_most(0, x), at_most(x, pi())}), wanted));
+}
+
+// ⊢ 0 ≤ 1 - w or 0 ≤ 1 + w, where w is sin(v) or cos(v).
+const Theorem& distance_from_one(bool is_sine, bool above) {
+  const auto lemma = [](bool of_sine, bool below_one) {
+    const Variable v{"v"};
+    const Term w = of_sine ? sin(v) : cos(v), other = of_sine ? cos(v) : sin(v),
+               distance = below_one ? 1 - w : 1 + w;
+    const Rational half(1, 2);
+    return Theorem::order(at_most(0, distance), {Positive{{}, half, distance}, Positive{{}, half, other}});
+  };
+  static thread_local const std::array lemmas{lemma(false, false), lemma(false, true), lemma(true, false),
+                                              lemma(true, true)};
+  return lemmas.at((is_sine ? 2 : 0) + (above ? 1 : 0));
+}
+
+class Search {
+ public:
+  // The inequality by its gap's numerator, and the sign of its denominator.
+  Theorem decided(const Formula& goal, const Theorems& known, int depth = 4) {
+    const bool strictly = goal.kind() == Kind::less;
+    const Letters letters({gap_of(goal)});
+    const auto [above, below] = letters.fraction(gap_of(goal));
+    const Term top = letters.term(above), bottom = letters.term(below);
+    if (is_constant(below)) {
+      const Theorem one = positive(top, strictly, known, depth);
+      return Theorem::order(goal, {Positive{{one}, 1 / leading_coefficient(below)}});
+    }
+    const auto by_sign = first_that_works(std::array{false, true}, [&](bool turned) {
+      const Theorem divisor = positive(turned ? -bottom : bottom, true, known, depth);
+      const Theorem one = positive(turned ? -top : top, strictly, known, depth);
+      const Theorem quotient = Theorem::order(goal, {Positive{{inverse_is_positive(divisor), one}}});
+      return nonzero(Theorem::cut(different(divisor), quotient), known);
+    });
+    if (!by_sign) {
+      throw KernelError("no sign is known of what it divides by, or of what it divides");
+    }
+    return *by_sign;
+  }
+
+  // 0 < a or 0 ≤ a, of a polynomial in letters.
+  Theorem positive(const Term& a, bool strictly, const Theorems& known, int depth) {
+    const Formula goal = is_positive(a, strictly);
+    if (a.variables().empty()) {
+      return certainly(goal);
+    }
+    const Theorems here = of_use(goal, known);
+    if (work_ < 0 || seems_negative(a, here)) {
+      throw KernelError("it does not hold");
+    }
+    Theorems facts = here;
+    add_what_letters_say(a, here, depth, facts);
+    if (const auto theorem = attempt([&] { return sum_of_products(goal, facts, work_); })) {
+      return *theorem;
+    }
+    if (depth <= 0) {
+      throw KernelError("it is no sum of products of what is known");
+    }
+    return along_variables(a, strictly, here, depth);
+  }
+
+ private:
+  // The first digits of pi; that cosine and sine lie between -1 and 1; that the sine is positive where its
+  // argument is known to lie between 0 and pi, and the cosine between -pi/2 and pi/2.
+  void add_what_letters_say(const Term& a, const Theorems& known, int depth, Theorems& facts) {
+    const Letters letters({a});
+    for (const Term& letter : letters.terms()) {
+      if (letter == pi()) {
+        facts.push_back(Theorem::sign(less(3, pi())));
+        facts.push_back(Theorem::sign(less(pi(), Rational(22, 7))));
+      }
+      if (!is_wave(letter)) {
+        continue;
+      }
+      const bool is_sine = letter.kind() == Kind::sine;
+      const Term u = letter.parts()[0], shifted = is_sine ? u : u + pi() / 2;
+      for (const bool above : {true, false}) {
+        facts.push_back(Theorem::instantiate(distance_from_one(is_sine, above), {{Variable{"v"}, u}}));
+      }
+      const auto sine = depth <= 0 || known.empty() ? std::nullopt : of_sine(letter, shifted, known);
+      if (sine) {
+        facts.push_back(*sine);
+      }
+    }
+  }
+
+  // 0 < w or 0 ≤ w, where w is the sine of x.
+  std::optional<Theorem> of_sine(const Term& w, const Term& x, const Theorems& known) {
+    return first_that_works(std::array{true, false}, [&](bool strictly) {
+      const Formula lower = strictly ? less(0, x) : at_most(0, x),
+                    upper = strictly ? less(x, pi()) : at_most(x, pi());
+      const Theorem sine =
+          detach(sine_between(x, strictly), both({decided(lower, known, 0), decided(upper, known, 0)}));
+      return Theorem::order(is_positive(w, strictly), {Positive{{sine}}});
+    });
+  }
+
+  // First from where it is zero.
+  Theorem along_variables(const Term& f, bool strictly, const Theorems& known, int depth) {
+    for (const bool from_zero : {true, false}) {
+      for (const Variable& x : f.variables()) {
+        for (const Theorem& one : known) {
+          const std::vector<Term>& sides = one.conclusion().parts();
+          const bool is_left = sides[0] == Term(x);
+          const Term& end = sides[is_left ? 1 : 0];
+          if (!is_inequality(one.conclusion()) || !stands_in_wave(f, x) || is_left == (sides[1] == Term(x)) ||
+              end.variables().contains(x) || from_zero != seems_zero({substitute(f, {{x, end}})}, {})) {
+            continue;
+          }
+          if (const auto theorem = attempt([&] { return from_end(x, f, one, strictly, known, depth - 1); })) {
+            return *theorem;
+          }
+        }
+      }
+    }
+    throw KernelError("there is no end from which it grows");
+  }
+
+  // 0 < f(x) or 0 ≤ f(x), from x between that bound and where it is known: it is so at that end, and f grows
+  // away from it.
+  Theorem from_end(const Variable& x, const Term& f, const Theorem& bound, bool strictly,
+                   const Theorems& known, int depth) {
+    const Term left = bound.conclusion().parts()[0], right = bound.conclusion().parts()[1];
+    const bool is_lower = right == Term(x);
+    const Term there = substitute(f, {{x, is_lower ? left : right}});
+    const auto strict_start =
+        strictly ? attempt([&] { return decided(less(0, there), known, depth); }) : std::nullopt;
+    const Theorem start = strict_start ? *strict_start : decided(at_most(0, there), known, depth);
+    const bool grows_strictly = strictly && !strict_start;
+    if (bound.conclusion().kind() == Kind::less) {
+      return away_from(x, f, bound, start, grows_strictly, known, depth);
+    }
+    if (grows_strictly) {
+      throw KernelError("it is zero at the end");
+    }
+    const Formula inside = less(left, right), at_end = equal(left, right), goal = is_positive(f, strictly);
+    const Theorem same = is_lower ? Theorem::assume(at_end) : symmetric(Theorem::assume(at_end));
+    const Theorem away = away_from(x, f, Theorem::assume(inside), start, false, known, depth);
+    return Theorem::consequence(
+        {Theorem::discharge(away, inside), Theorem::discharge(Theorem::replace(same, x, goal, start), at_end),
+         Theorem::trichotomy(left, right), bound},
+        goal);
+  }
+
+  // From left < x or x < right, and the start: f(x) is f at the end and a slope between them times the
+  // distance.
+  Theorem away_from(const Variable& x, const Term& f, const Theorem& apart, const Theorem& start,
+                    bool grows_strictly, const Theorems& known, int depth) {
+    const Term left = apart.conclusion().parts()[0], right = apart.conclusion().parts()[1];
+    const bool is_lower = right == Term(x);
+    std::vector<Term> avoid{f, left, right};
+    for (const Theorem& one : known) {
+      avoid.push_back(one.conclusion());
+    }
+    const Variable t = fresh(real_number, avoid);
+    avoid.emplace_back(t);
+    const Variable c = fresh(real_number, avoid);
+    const Term function = lambda(t, substitute(f, {{x, t}}));
+    const Theorem mean = Theorem::mean_value(
+        Theorem::continuity(function, left, right),
+        for_every(t, between(left, t, right), Theorem::differentiate(function, t)), apart);
+    const Theorem between_them = Theorem::assume(opened(mean.conclusion(), c));
+    Theorems more = known;
+    for (const Theorem& one : parts_of(part(between_them, 0))) {
+      more.push_back(one);
+    }
+    const Term slope = Theorem::differentiate(function, c).conclusion().parts()[2];
+    const Theorem grows = decided(is_positive(is_lower ? slope : -slope, grows_strictly), more, depth);
+    const bool strictly = grows_strictly || start.conclusion().kind() == Kind::less;
+    return Theorem::choose(
+        mean, c,
+        Theorem::order(is_positive(f, strictly), {Positive{{start}}, Positive{{grows, apart}}},
+                       {{part(between_them, 1), is_lower ? 1 : -1}}));
+  }
+
+  long work_ = 1000000;
+};
+
+// The coefficients of Chebyshev's polynomial of this degree, that of the constant first.
+std::vector<mpz_class> chebyshev(std::size_t degree) {
+  std::vector<mpz_class> before{1}, here{0, 1};
+  for (std::size_t k = 0; k < degree; ++k) {
+    std::vector<mpz_class> next(here.size() + 1);
+    for (std::size_t j = 0; j < here.size(); ++j) {
+      next[j + 1] += 2 * here[j];
+      next[j] -= j < before.size() ? before[j] : 0;
+    }
+    before = std::exchange(here, next);
+  }
+  return before;
+}
+
+// T(w) = 1, 0 or -1 for a cosine or sine w of a rational multiple of pi, and Chebyshev's polynomial T of the
+// degree k with which k u is a multiple of pi/2.
+std::optional<Theorem> at_part_of_circle(const Term& w) {
+  constexpr long most = 24;
+  const Term u = w.parts()[0];
+  const Letters letters({u});
+  const auto [above, below] = letters.fraction(u);
+  if (letters.terms() != std::vector{pi()} || !is_constant(below) || degree(above, 0) != 1 ||
+      !coefficient(above, 0, 0).is_zero()) {
+    return std::nullopt;
+  }
+  const Rational quarters = 2 * leading_coefficient(above) / leading_coefficient(below);
+  const long k = quarters.get_den() > most ? 0 : quarters.get_den().get_si();
+  if (k == 0) {
+    return std::nullopt;
+  }
+  const Variable v{"v"};
+  const bool is_sine = w.kind() == Kind::sine, by_sine = is_sine && k % 2 != 0;
+  const Term of_v = is_sine ? sin(v) : cos(v), multiple = Term(k) * v;
+  const int sign = is_sine && k / 2 % 2 != 0 ? -1 : 1;
+  std::vector<Term> parts{0};
+  const std::vector<mpz_class> coefficients = chebyshev(static_cast<std::size_t>(k));
+  for (std::size_t j = 0; j < coefficients.size(); ++j) {
+    if (coefficients[j] != 0) {
+      parts.push_back(Term(Rational(coefficients[j])) * power(of_v, static_cast<long>(j)));
+    }
+  }
+  const Theorem for_all =
+      Theorem::combination(equal(sum(parts), Term(sign) * (by_sine ? sin(multiple) : cos(multiple))));
+  const Theorem here = Theorem::instantiate(for_all, {{v, u}});
+  return first_that_works(std::array{0, 1, -1}, [&](int value) {
+    return Theorem::combination(equal(here.conclusion().parts()[0], value), {{here}});
+  });
+}
+
+// f = 0, where f² ≤ 0 is known.
+Theorem by_square(const Term& f, const Theorems& known) {
+  const Theorem square = Search().decided(at_most(power(f, 2), 0), known);
+  const Theorem absurd = Theorem::order(at_most(1, 0), {Positive{{square}, 1, inverse(f)}});  // if f is not 0
+  return Theorem::consequence(
+      {Theorem::discharge(absurd, differ(f, 0)), Theorem::sign(less(0, 1)), Theorem::trichotomy(1, 0)},
+      equal(f, 0));
+}
+
+// f = 0, where that is a factor of what is known to be zero, and the others have a sign.
+Theorem by_factors(const Term& f, const Theorem& known, const Theorems& inequalities) {
+  const Term gap = gap_of(known.conclusion());
+  const Letters letters({f, gap});
+  Polynomial wanted = letters.fraction(f).above;
+  if (wanted.is_zero()) {
+    throw KernelError("it is zero for all values");
+  }
+  take_content(wanted);
+  Polynomial turned = wanted;
+  turned *= letters.ring().constant(-1);
+  Domain nonzero_ones;
+  std::optional<Formula> differs;
+  for (const Polynomial& factor : factored(letters.fraction(gap).above, letters).factors) {
+    const Term one = letters.term(factor);
+    if (factor == wanted || factor == turned) {
+      differs = differ(one, 0);
+      continue;
+    }
+    const auto sign = first_that_works(std::array{1, -1}, [&](int sense) {
+      const Formula goal = sense > 0 ? less(0, one) : less(one, 0);
+      return Search().decided(goal, inequalities);
+    });
+    if (!sign) {
+      throw KernelError("no sign is known of " + to_string(one));
+    }
+    nonzero_ones.push_back(different(*sign));
+  }
+  if (!differs) {
+    throw KernelError("it is no factor of what is zero");
+  }
+  const Formula whole = differ(gap, 0);
+  const Theorem nowhere = nonzero(Theorem::assume(whole), nonzero_ones);
+  const Theorem zero = Theorem::combination(equal(gap, 0), {{known, -1}});
+  const Formula& is_zero = differs->parts()[0];
+  const Theorem result = Theorem::consequence({Theorem::discharge(nowhere, *differs), zero}, is_zero);
+  return Theorem::combination(equal(f, 0), {{result, quotient(f, is_zero.parts()[0])}});
+}
+
+}  // namespace
+
+Theorem inequality(const Formula& inequality, const std::vector<Theorem>& known) {
+  if (const auto theorem = attempt([&] { return Search().decided(inequality, known); })) {
+    return *theorem;
+  }
+  // On both sides of a number, for what grows away from there.
+  for (const Variable& x : inequality.variables()) {
+    for (const int middle : {0, 1, -1}) {
+      const Formula before = at_most(x, middle), after = at_most(middle, x);
+      const auto is_on = [&](const Formula& side) {
+        return attempt([&] { return Search().decided(side, known, 0); });
+      };
+      if (!stands_in_wave(inequality, x) || is_on(before) || is_on(after)) {
+        continue;
+      }
+      const auto on_side = [&](const Formula& side) {
+        Theorems more = known;
+        more.push_back(Theorem::assume(side));
+        return Search().decided(inequality, more);
+      };
+      if (const auto theorem =
+              attempt([&] { return either_side(on_side(before), on_side(after), x, middle); })) {
+        return *theorem;
+      }
+    }
+  }
+  throw KernelError("it is no sum of products of what is known");
+}
+
+Theorem equation(const Formula& equation, const std::vector<Theorem>& known) {
+  const Term gap = gap_of(equation);
+  Theorems equations, inequalities;
+  for (const Theorem& one : known) {
+    (is_inequality(one.conclusion()) ? inequalities : equations).push_back(one);
+  }
+  const Letters letters({gap});
+  for (const Term& letter : letters.terms()) {
+    if (const auto zero = is_wave(letter) ? at_part_of_circle(letter) : std::nullopt) {
+      equations.push_back(*zero);
+    }
+  }
+  auto zero =
+      first_that_works(equations, [&](const Theorem& one) { return by_factors(gap, one, inequalities); });
+  if (!zero && !equations.empty()) {
+    zero = attempt([&] { return by_square(gap, known); });
+  }
+  if (!zero) {
+    throw KernelError("it is no factor of what is known to be zero");
+  }
+  return Theorem::combination(equation, {{*zero, -1}});
+}
+
+}  // namespace stickslip::proofs::tactics
