@@ -87,6 +87,19 @@ Theorem directly(Derivation& derivation, const Formula& formula) {
   if (formula.kind() == kernel::Kind::exists) {
     return derivation.combination(formula);  // there are derivatives with which it holds
   }
+  if (formula.kind() == kernel::Kind::disjunction && formula.parts().size() == 2 &&
+      formula.parts()[0].kind() == kernel::Kind::less) {  // of an absolute value
+    const Term &a = formula.parts()[0].parts()[0], &b = formula.parts()[0].parts()[1];
+    if (const auto first = attempt([&] { return directly(derivation, formula.parts()[0]); })) {
+      return Theorem::consequence({*first}, formula);
+    }
+    const Formula else_here = at_most(b, a);
+    const Theorem rest = derivation.supposing(else_here, [&] {
+      const auto one = attempt([&] { return directly(derivation, formula.parts()[1]); });
+      return one ? *one : derivation.related(formula.parts()[1]);
+    });
+    return Theorem::consequence({Theorem::discharge(rest, else_here), Theorem::trichotomy(a, b)}, formula);
+  }
   if (formula.kind() == kernel::Kind::conjunction) {
     std::vector<Theorem> parts;
     for (const Formula& one : formula.parts()) {

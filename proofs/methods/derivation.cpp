@@ -112,6 +112,17 @@ Derivation::Derivation(Prover& prover, const Claim& claim) : prover_(prover), cl
   }
 }
 
+Theorem Derivation::supposing(const Formula& inequality, const std::function<Theorem()>& work) {
+  const std::vector<Theorem> known = known_;
+  const Domain domain = domain_;
+  known_.push_back(Theorem::assume(inequality));
+  domain_.push_back(known_.back());
+  const auto result = attempt(work);
+  known_ = known;
+  domain_ = domain;
+  return result ? *result : throw KernelError("it does not follow where " + to_string(inequality));
+}
+
 void Derivation::know(const Theorem& nonzero) {
   stated_.push_back(nonzero);
 }

@@ -55,6 +55,9 @@ class Derivation {
   // An equation between numbers as a combination of those that the claim assumes, which is looked for
   // (letters.hpp).
   [[nodiscard]] kernel::Theorem combined(const kernel::Formula& equation);
+  // What the work makes where the inequality is known, too: it is a hypothesis then.
+  [[nodiscard]] kernel::Theorem supposing(const kernel::Formula& inequality,
+                                          const std::function<kernel::Theorem()>& work);
   // All definitions in these formulas, to be looked into.
   [[nodiscard]] kernel::Definitions open(const std::vector<kernel::Formula>& formulas);
   // a = b: b is put in for a wherever that stands.

@@ -331,7 +331,20 @@ Theorem Derivation::related(const Formula& formula) {
       problem.multiples.push_back({Theorem::assume(one)});
     }
   }
-  return with_fewest_given(problem, rule);
+  if (const auto theorem = attempt([&] { return with_fewest_given(problem, rule); })) {
+    return *theorem;
+  }
+  // a < b, where a ≤ b and it is assumed that they differ.
+  const Theorem differs = without_divisors(Theorem::assume(differ(gap_of(formula), 0)));
+  if (formula.kind() != kernel::Kind::less ||
+      !std::ranges::includes(assumed(), differs.hypotheses(), Before{})) {
+    throw KernelError("nothing known says it");
+  }
+  const Term &a = formula.parts()[0], &b = formula.parts()[1];
+  const Theorem same = Theorem::combination(equal(gap_of(formula), 0), {{Theorem::assume(equal(a, b)), -1}});
+  return Theorem::consequence(
+      {related(at_most(a, b)), differs, Theorem::discharge(same, equal(a, b)), Theorem::trichotomy(a, b)},
+      formula);
 }
 
 Theorem Derivation::combined(const Formula& equation) {

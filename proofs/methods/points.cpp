@@ -107,10 +107,16 @@ std::optional<bool> holds_nearly(const Formula& formula, const tactics::Point& v
       const auto inside = holds_nearly(formula.parts()[0], values);
       return inside ? std::optional(!*inside) : std::nullopt;
     }
-    case kernel::Kind::conjunction: {
-      const auto one = holds_nearly(formula.parts()[0], values),
-                 other = holds_nearly(formula.parts()[1], values);
-      return one && other ? std::optional(*one && *other) : std::nullopt;
+    case kernel::Kind::conjunction:
+    case kernel::Kind::disjunction: {
+      const bool one_decides = formula.kind() == kernel::Kind::disjunction;
+      for (const Formula& part : formula.parts()) {
+        const auto here = holds_nearly(part, values);
+        if (!here || *here == one_decides) {
+          return here;
+        }
+      }
+      return !one_decides;
     }
     default:
       return std::nullopt;

@@ -227,54 +227,28 @@ Formula rate(const Term& f, const Term& D) {
   return for_all(time, derivative(lambda(time, f), time, apply(D, time)));
 }
 
-bool is_absolute_value(const symbols::Term& term) {
-  return term.op() == Op::function && term.name() == "abs";
+bool is_call(const symbols::Term& term, const char * function) {
+  return term.op() == Op::function && term.name() == function;
 }
 
-}  // namespace
-
-Formula Reader::relation(const symbols::Statement& statement) {
-  using symbols::Relation;
-  const auto side = [this](const symbols::Term& one, const symbols::Term& other) {
-    return one.is_zero() ? zero(real_matrix(other.shape().rows, other.shape().columns)) : (*this)(one);
-  };
-  if (statement.relation == Relation::equal || statement.relation == Relation::not_equal) {
-    const Term left = side(statement.left, statement.right), right = side(statement.right, statement.left);
-    return statement.relation == Relation::equal ? equal(left, right) : differ(left, right);
-  }
-  const symbols::Statement here = with_less(statement);
-  const symbols::Term &lower = here.left, &upper = here.right;
-  const bool strict = here.relation == Relation::less;
-  const auto below = [strict](const Term& a, const Term& b) { return strict ? less(a, b) : at_most(a, b); };
-  if (is_absolute_value(lower)) {
-    const Term inside = (*this)(lower.arguments().front()), bound = (*this)(upper);
-    return kernel::all({below(-bound, inside), below(inside, bound)});
-  }
-  return below(side(lower, upper), side(upper, lower));
-}
-
-namespace {
-
-bool is_sign(const symbols::Term& term) {
-  return term.op() == Op::function && term.name() == "sign";
-}
-
-// The first sign within the term.
-std::optional<symbols::Term> sign_in(const symbols::Term& term) {
-  if (is_sign(term)) {
-    return term;
-  }
+// The first application of the function within the term, but in a derivative, with none in its argument.
+std::optional<symbols::Term> call_in(const symbols::Term& term, const char * function) {
   for (const symbols::Term& argument : term.arguments()) {
-    if (const auto found = sign_in(argument)) {
+    const auto found = term.op() == Op::derivative ? std::nullopt : call_in(argument, function);
+    if (found) {
       return found;
     }
   }
-  return std::nullopt;
+  return is_call(term, function) ? std::optional(term) : std::nullopt;
 }
 
-symbols::Term with_value(const symbols::Term& term, const symbols::Term& part, int value) {
+// Nothing is replaced in a derivative: what is so at one time need not be so at others.
+symbols::Term with_value(const symbols::Term& term, const symbols::Term& part, const symbols::Term& value) {
   if (equal(term, part)) {
     return value;
+  }
+  if (term.op() == Op::derivative) {
+    return term;
   }
   std::vector<symbols::Term> arguments;
   for (const symbols::Term& argument : term.arguments()) {
@@ -283,7 +257,47 @@ symbols::Term with_value(const symbols::Term& term, const symbols::Term& part, i
   return term.with_arguments(std::move(arguments));
 }
 
+symbols::Statement with_value(const symbols::Statement& statement, const symbols::Term& part,
+                              const symbols::Term& value) {
+  return {with_value(statement.left, part, value), with_value(statement.right, part, value),
+          statement.relation};
+}
+
 }  // namespace
+
+Formula Reader::without_absolute_value(const symbols::Statement& statement, const symbols::Term& absolute) {
+  const symbols::Term& of = absolute.arguments().front();
+  const Term inside = (*this)(of);
+  return kernel::all({kernel::any({less(inside, 0), relation(with_value(statement, absolute, of))}),
+                      kernel::any({less(0, inside), relation(with_value(statement, absolute, -of))})});
+}
+
+Formula Reader::relation(const symbols::Statement& statement) {
+  using symbols::Relation;
+  constexpr const char * absolute = "abs";
+  const bool is_order = statement.relation != Relation::equal && statement.relation != Relation::not_equal;
+  const symbols::Statement here = is_order ? with_less(statement) : statement;
+  const symbols::Term &lower = here.left, &upper = here.right;
+  const bool is_bounded = is_order && is_call(lower, absolute);
+  const auto in_lower = call_in(is_bounded ? lower.arguments().front() : lower, absolute);
+  if (const auto found = in_lower ? in_lower : call_in(upper, absolute)) {
+    return without_absolute_value(here, *found);
+  }
+  const auto side = [this](const symbols::Term& one, const symbols::Term& other) {
+    return one.is_zero() ? zero(real_matrix(other.shape().rows, other.shape().columns)) : (*this)(one);
+  };
+  if (!is_order) {
+    const Term left = side(lower, upper), right = side(upper, lower);
+    return statement.relation == Relation::equal ? equal(left, right) : differ(left, right);
+  }
+  const bool strict = here.relation == Relation::less;
+  const auto below = [strict](const Term& a, const Term& b) { return strict ? less(a, b) : at_most(a, b); };
+  if (is_bounded) {
+    const Term inside = (*this)(lower.arguments().front()), bound = (*this)(upper);
+    return kernel::all({below(-bound, inside), below(inside, bound)});
+  }
+  return below(side(lower, upper), side(upper, lower));
+}
 
 // At the time t, which the statement's derivative is taken at.
 Formula Reader::at_one_time(const symbols::Statement& statement) {
@@ -300,17 +314,14 @@ Formula Reader::at_one_time(const symbols::Statement& statement) {
 }
 
 Formula Reader::with_signs(const symbols::Statement& statement) {
-  const auto in_left = sign_in(statement.left), sign = in_left ? in_left : sign_in(statement.right);
+  const auto in_left = call_in(statement.left, "sign"),
+             sign = in_left ? in_left : call_in(statement.right, "sign");
   if (!sign) {
     return at_one_time(statement);
   }
   const symbols::Term& of = sign->arguments().front();
-  if (sign_in(of) || (statement.left.op() == Op::derivative && in_left)) {
-    throw NoValue("a sign has no reading here: " + text(statement));
-  }
   const auto where = [&](int value) {
-    const Formula rest = with_signs({with_value(statement.left, *sign, value),
-                                     with_value(statement.right, *sign, value), statement.relation});
+    const Formula rest = with_signs(with_value(statement, *sign, value));
     const Formula here = value > 0 ? less(0, (*this)(of)) : less((*this)(of), 0);
     return kernel::all({here, rest});
   };

@@ -20,7 +20,8 @@ namespace stickslip::proofs::methods {
 class Reader {
  public:
   [[nodiscard]] kernel::Term operator()(const symbols::Term& printed);
-  // left = right (or <, …), entry by entry. |a| < b is -b < a and a < b.
+  // left = right (or <, …), entry by entry. |a| < b is -b < a and a < b; any other |a| is a unless a < 0, and
+  // -a unless 0 < a: of both it is said what the statement says.
   //
   // A derivative d/dt f of a formula is D(t): there are functions D1, D2, …, the derivatives that occur at
   // all times, with left = right. A statement "d/dt f = g during [a, b]" says that f is continuous on [a, b]
@@ -38,6 +39,8 @@ class Reader {
   [[nodiscard]] kernel::Term symbol(const symbols::Term& printed);
   [[nodiscard]] kernel::Term function(const symbols::Term& printed);
   [[nodiscard]] kernel::Formula relation(const symbols::Statement& statement);
+  [[nodiscard]] kernel::Formula without_absolute_value(const symbols::Statement& statement,
+                                                       const symbols::Term& absolute);
   [[nodiscard]] kernel::Formula at_one_time(const symbols::Statement& statement);
   [[nodiscard]] kernel::Formula with_signs(const symbols::Statement& statement);
 

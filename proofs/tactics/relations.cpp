@@ -325,6 +325,13 @@ std::optional<Theorem> at_part_of_circle(const Term& w) {
   });
 }
 
+// f = 0, from f ≤ 0 and 0 ≤ f.
+Theorem by_both_sides(const Term& f, const Theorems& known) {
+  return Theorem::consequence({Search().decided(at_most(f, 0), known), Search().decided(at_most(0, f), known),
+                               Theorem::trichotomy(f, 0)},
+                              equal(f, 0));
+}
+
 // f = 0, where f² ≤ 0 is known.
 Theorem by_square(const Term& f, const Theorems& known) {
   const Theorem square = Search().decided(at_most(power(f, 2), 0), known);
@@ -417,6 +424,9 @@ Theorem equation(const Formula& equation, const std::vector<Theorem>& known) {
   }
   auto zero =
       first_that_works(equations, [&](const Theorem& one) { return by_factors(gap, one, inequalities); });
+  if (!zero) {
+    zero = attempt([&] { return by_both_sides(gap, known); });
+  }
   if (!zero && !equations.empty()) {
     zero = attempt([&] { return by_square(gap, known); });
   }

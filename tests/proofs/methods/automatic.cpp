@@ -124,6 +124,31 @@ TEST_CASE("what is a factor of zero is zero where the others are not") {
   CHECK(truth_of("4 cos(2 pi/5)^2 - 2 cos(2 pi/5) - 1 = 0") != Truth::proved);
 }
 
+TEST_CASE("an absolute value is what it is on each side of zero") {
+  const std::vector<std::string> own{"a", "b"};
+  const auto truth = [&](const std::string& line, const std::vector<std::string>& assumptions = {}) {
+    return truth_of(line, assumptions, own);
+  };
+  CHECK(truth("|a| = a", {"a >= 0"}) == Truth::proved);
+  CHECK(truth("|a b| = |a|*|b|") == Truth::proved);
+  CHECK(truth("|a + b| <= |a| + |b|") == Truth::proved);
+  CHECK(truth("||a| - |b|| <= |a - b|") == Truth::proved);
+  CHECK(truth("|a|^2 = a^2") == Truth::proved);
+  CHECK(truth("|a| > 0", {"a != 0"}) == Truth::proved);
+  CHECK(truth("a/|a| = 1", {"a > 0"}) == Truth::proved);
+  CHECK(truth("|sin(a)| <= |a|") == Truth::proved);
+  CHECK(truth("|a| = a") == Truth::refuted);
+  CHECK(truth("|a| > 0") == Truth::refuted);
+  CHECK(truth("|a + b| = |a| + |b|") == Truth::refuted);
+  CHECK(truth("||a| - |b|| < |a - b|") == Truth::refuted);
+  CHECK(truth("|a| = a", {"a >= -1"}) == Truth::refuted);
+  // What it is at one time says nothing of its derivative there.
+  for (const char * line : {"d/dt[|t|] = |t|/t", "d/dt[|t|] = 1", "d/dt[|t|] + |t| = 1 + |t|"}) {
+    CHECK(truth(line) == Truth::undecided);
+    CHECK(truth(line, {"t > 0"}) == Truth::undecided);
+  }
+}
+
 TEST_CASE("what is divided by is a hypothesis") {
   const Record record = record_of({"q2 = q1 (1 - omega^2)/chi"});
   CHECK(record.outcome.verdict.truth == Truth::proved);
@@ -207,7 +232,7 @@ class Lines {
       return atoms[below(atoms.size())];
     }
     const std::string x = expression(depth - 1), y = expression(depth - 1);
-    switch (below(7)) {
+    switch (below(8)) {
       case 0:
         return "(" + x + " + " + y + ")";
       case 1:
@@ -220,6 +245,8 @@ class Lines {
         return "(" + x + ")^" + std::to_string(static_cast<int>(below(5)) - 2);
       case 5:
         return "cos(" + x + ")";
+      case 6:
+        return "(|(" + x + ")|)";
       default:
         return x;
     }
