@@ -273,7 +273,7 @@ class Search {
                        {{part(between_them, 1), is_lower ? 1 : -1}}));
   }
 
-  long work_ = 1000000;
+  long work_ = 400000;
 };
 
 // The coefficients of Chebyshev's polynomial of this degree, that of the constant first.
@@ -387,11 +387,12 @@ Theorem inequality(const Formula& inequality, const std::vector<Theorem>& known)
     return *theorem;
   }
   // On both sides of a number, for what grows away from there.
+  Search search;
   for (const Variable& x : inequality.variables()) {
     for (const int middle : {0, 1, -1}) {
       const Formula before = at_most(x, middle), after = at_most(middle, x);
       const auto is_on = [&](const Formula& side) {
-        return attempt([&] { return Search().decided(side, known, 0); });
+        return attempt([&] { return search.decided(side, known, 0); });
       };
       if (!stands_in_wave(inequality, x) || is_on(before) || is_on(after)) {
         continue;
@@ -399,7 +400,7 @@ Theorem inequality(const Formula& inequality, const std::vector<Theorem>& known)
       const auto on_side = [&](const Formula& side) {
         Theorems more = known;
         more.push_back(Theorem::assume(side));
-        return Search().decided(inequality, more);
+        return search.decided(inequality, more);
       };
       if (const auto theorem =
               attempt([&] { return either_side(on_side(before), on_side(after), x, middle); })) {

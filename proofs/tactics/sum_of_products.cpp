@@ -354,8 +354,10 @@ class SumOfProducts {
 
 Theorem sum_of_products(const Formula& inequality, const std::vector<Theorem>& known, long& work) {
   SumOfProducts sum(inequality, known, work);
-  constexpr int most = 6;
-  for (int degree = sum.least_degree(); degree <= std::min(sum.least_degree() + 2, most); ++degree) {
+  constexpr int most = 20, most_with_more = 6;
+  const int least = sum.least_degree(),
+            last = std::max(std::min(least, most), std::min(least + 2, most_with_more));
+  for (int degree = least; degree <= last; ++degree) {
     if (const auto theorem = attempt([&] { return sum.of_degree(degree); })) {
       return *theorem;
     }
