@@ -78,11 +78,13 @@ class Derivation {
   // The theorem with fewer and simpler hypotheses d ≠ 0: less what the parameters' domain and the claim's
   // assumptions imply, the irreducible factors of the rest, and of these the strongest.
   [[nodiscard]] kernel::Theorem without_divisors(const kernel::Theorem& theorem);
+  // From now on nothing is looked for that takes long, as related() does.
+  void hurry() { hurries_ = true; }
   // From now on all d ≠ 0 stay as they are: for who puts numbers in.
   void leave_divisors() { divisors_stay_ = true; }
 
  private:
-  bool divisors_stay_ = false, looks_at_sines_ = false;
+  bool divisors_stay_ = false, looks_at_sines_ = false, hurries_ = false;
   struct Given {
     std::string id;
     kernel::Theorem equation;

@@ -291,27 +291,24 @@ Theorem Derivation::follows(const Formula& formula) {
 }
 
 Theorem Derivation::related(const Formula& formula) {
-  if (!is_inequality(formula) && !is_equation_of_numbers(formula)) {
-    throw KernelError("it is no relation between numbers");
+  if (hurries_ || (!is_inequality(formula) && !is_equation_of_numbers(formula))) {
+    throw KernelError("it is not looked for");
   }
   const Rule rule = [&](const Problem& one) {
-    std::vector<Formula> said{one.goal};
-    for (const Positive& known : one.positives) {
-      said.push_back(known.inequalities[0].conclusion());
-    }
-    for (const Multiple& known : one.multiples) {
-      said.push_back(known.equation.conclusion());
-    }
-    const Definitions definitions = openings(said).all();
-    const auto look_into = [&](const Theorem& known) {
-      return Theorem::convert(known, unfold(known.conclusion(), definitions), definitions);
-    };
     std::vector<Theorem> known;
     for (const Positive& positive : one.positives) {
-      known.push_back(look_into(positive.inequalities[0]));
+      known.push_back(positive.inequalities[0]);
     }
     for (const Multiple& multiple : one.multiples) {
-      known.push_back(look_into(multiple.equation));
+      known.push_back(multiple.equation);
+    }
+    std::vector<Formula> said{one.goal};
+    for (const Theorem& theorem : known) {
+      said.push_back(theorem.conclusion());
+    }
+    const Definitions definitions = openings(said).all();
+    for (Theorem& theorem : known) {
+      theorem = Theorem::convert(theorem, unfold(theorem.conclusion(), definitions), definitions);
     }
     return without_divisors(
         Theorem::convert((is_inequality(one.goal) ? tactics::inequality : tactics::equation)(

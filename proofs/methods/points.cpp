@@ -320,6 +320,16 @@ std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim, cons
   return outcome;
 }
 
+bool seems_to_fail(Prover& prover, const Claim& claim, const Statement& statement) {
+  try {
+    return !scenes(prover, claim, statement, 1).empty();
+  } catch (const KernelError&) {
+    return false;
+  } catch (const symbols::NoValue&) {
+    return false;
+  }
+}
+
 std::optional<Theorem> obeying_point(Prover& prover, const Claim& claim,
                                      const std::vector<Hypothesis>& hypotheses) {
   try {

@@ -320,6 +320,9 @@ Formula Reader::with_signs(const symbols::Statement& statement) {
     return at_one_time(statement);
   }
   const symbols::Term& of = sign->arguments().front();
+  if (of.op() == Op::number) {  // of a sign, as its value is put in from within
+    throw NoValue("a sign has no reading here: " + text(statement));
+  }
   const auto where = [&](int value) {
     const Formula rest = with_signs(with_value(statement, *sign, value));
     const Formula here = value > 0 ? less(0, (*this)(of)) : less((*this)(of), 0);

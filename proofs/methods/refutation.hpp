@@ -62,6 +62,10 @@ void look_for_witness(Outcome& outcome, Prover& prover, const Claim& claim);
                                                       const std::optional<symbols::Statement>& where = {},
                                                       const std::optional<symbols::Statement>& doubted = {});
 
+// Whether there is such a point at which what the claim assumes holds and the statement fails, in floating
+// point.
+[[nodiscard]] bool seems_to_fail(Prover& prover, const Claim& claim, const symbols::Statement& statement);
+
 // Neither of vectors or matrices, nor of functions.
 [[nodiscard]] bool is_equation_of_numbers(const kernel::Formula& formula);
 

@@ -137,6 +137,9 @@ class SumOfProducts {
     for (const auto& [equation, value] : equations_) {
       for (const Degrees& degrees : monomials_up_to(degree_ - degree_of(value), 1)) {
         for (const int sign : {1, -1}) {
+          if (summands_.size() > most_summands) {
+            return;
+          }
           const Polynomial factor = times(monomial(degrees), letters_.ring().constant(sign));
           summands_.push_back(
               {terms_of(times(value, factor)), {}, Multiple{equation, -letters_.term(factor)}});
@@ -160,6 +163,9 @@ class SumOfProducts {
           more[v] = power;
           if (sum_of(more) <= most) {
             result.push_back(more);
+          }
+          if (result.size() > most_monomials) {
+            throw KernelError("too many monomials");
           }
         }
       }
@@ -338,7 +344,7 @@ class SumOfProducts {
     return used;
   }
 
-  static constexpr std::size_t most_summands = 500;
+  static constexpr std::size_t most_summands = 500, most_monomials = 100;
 
   Formula goal_;
   long& work_;
