@@ -205,7 +205,7 @@ Outcome by_search(Prover& prover, const Claim& claim) {
     outcome.verdict = Verdict::undecided("it fails at a point, as far as floating point can tell");
     return outcome;
   }
-  return derived(is_equation ? "a factor of what is zero, and the others are not"
+  return derived(is_equation ? "what is known leaves no other value"
                              : "the sign of the difference of both sides, for all values of the symbols",
                  prover, claim, [](Derivation& derivation, std::size_t which) {
                    const Formula formula = derivation.printed(which);

@@ -428,7 +428,7 @@ Theorem equation(const Formula& equation, const std::vector<Theorem>& known) {
   if (!zero) {
     zero = attempt([&] { return by_both_sides(gap, known); });
   }
-  if (!zero && !equations.empty()) {
+  if (!zero) {
     zero = attempt([&] { return by_square(gap, known); });
   }
   if (!zero) {

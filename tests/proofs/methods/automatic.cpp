@@ -114,6 +114,7 @@ TEST_CASE("what is a factor of zero is zero where the others are not") {
   CHECK(truth_of("x = 1", {"x^3 = 1"}, own) == Truth::proved);
   CHECK(truth_of("a = b", {"a^2 = b^2", "a > 0", "b >= 0"}, own) == Truth::proved);
   CHECK(truth_of("a = 0", {"a^2 + b^2 = 0"}, own) == Truth::proved);
+  CHECK(truth_of("a = 0", {"a^2 <= 0"}, own) == Truth::proved);
   CHECK(truth_of("cos(pi/3) = 1/2") == Truth::proved);
   CHECK(truth_of("sin(pi/6) = 1/2") == Truth::proved);
   CHECK(truth_of("4 cos(pi/5)^2 - 2 cos(pi/5) - 1 = 0") == Truth::proved);

@@ -123,6 +123,10 @@ TEST_CASE("what the model gives no meaning has no reading") {
   Reader read;
   CHECK_THROWS_AS(static_cast<void>(read(Function{"Rtilde", {1, 1}}(t))), NoValue);
   CHECK_THROWS_AS(static_cast<void>(read(abs(t))), NoValue);
+  // What |t| is at one time says nothing of its derivative there.
+  CHECK_NOTHROW(static_cast<void>(read(equation(abs(t), t))));
+  CHECK_THROWS_AS(static_cast<void>(read(equation(derivative(abs(t)), 1))), NoValue);
+  CHECK_THROWS_AS(static_cast<void>(read(equation(derivative(abs(t)) + abs(t), 1 + abs(t)))), NoValue);
   CHECK(refuses({tau, 0, Relation::greater}));
   CHECK(refuses(equation(Z(t), H(t) * Z0)));
 }
