@@ -43,6 +43,14 @@ std::string decimal_bound(const Ball& ball) {
   return decimal_digits(bound * Ball(Rational(51, 50)), 3);
 }
 
+// Whether its decimal exponent is one that is read back (decimal.hpp).
+bool has_common_size(const Ball& ball) {
+  static const Ball largest = exp(Ball(20000));
+  const Ball size = abs(ball);
+  return is_zero(ball) ||
+         ((largest - size).is_positive() && (size.upper() * largest - Ball(1)).is_positive());
+}
+
 }  // namespace
 
 BallText to_text(const Ball& ball, int digits) {
@@ -51,6 +59,12 @@ BallText to_text(const Ball& ball, int digits) {
   }
   const WorkingPrecision precision(std::max(WorkingPrecision::bits(), 4L * digits + 64));
   std::string mid = decimal_digits(ball, digits);
+  if (!has_common_size(ball)) {  // of the digits all but the last are right
+    mpz_class parts;             // of its size, the last digit but one
+    mpz_ui_pow_ui(parts.get_mpz_t(), 10, static_cast<unsigned long>(std::max(digits, 2) - 2));
+    const Ball slack = ball.radius() + abs(ball).upper() / Ball(Rational(parts));
+    return {mid, decimal_digits(slack * Ball(Rational(51, 50)), 3)};
+  }
   if (ball.is_exact()) {
     trim_zeros(mid);
   }

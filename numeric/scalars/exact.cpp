@@ -47,9 +47,17 @@ Pair multiple(const Pair& angle, long count) {
 long whole(const Rational& coefficient, int angles_per_unit) {
   const Rational count = coefficient * angles_per_unit;
   if (count.get_den() != 1 || abs(count) > 64) {
-    throw NoExactValue("an angle is no small multiple of a quarter of a phase, or of pi/2");
+    throw NoExactValue("an angle or exponent is no small multiple of a quarter of a phase, or of pi/2");
   }
   return count.get_num().get_si();
+}
+
+std::string to_text(const std::map<std::string, int>& monomial) {
+  std::string text;
+  for (const auto& [name, exponent] : monomial) {
+    text += name + "^" + std::to_string(exponent) + " ";
+  }
+  return text;
 }
 
 }  // namespace
@@ -168,6 +176,28 @@ std::pair<Exact, Exact> sin_cos(const Exact& angle) {
   return {sine, cosine};
 }
 
+Exact exp(const Exact& exponent) {
+  if (exponent.kind_ == Exact::Kind::formless) {
+    throw NoExactValue("an exponent is no combination of monomials");
+  }
+  const Exact::Form form = exponent.form();
+  Exact result(1);
+  for (const auto& [phase, coefficient] : form.terms) {
+    if (phase.empty()) {
+      throw NoExactValue("an exponent contains a number");
+    }
+    const Rational once = form.point->growth(phase);
+    const long count = whole(coefficient, 4);
+    for (long i = 0; i < std::labs(count); ++i) {
+      result *= Exact(count < 0 ? Rational(1 / once) : once);
+    }
+  }
+  if (!form.terms.empty()) {
+    result.lose_form();
+  }
+  return result;
+}
+
 Rational ExactPoint::draw(const std::string& name) const {
   const long part = 1 + pick(seed_, name, 30);
   return name == "omega1"   ? ratio(part, 31)
@@ -182,12 +212,15 @@ Exact ExactPoint::symbol(const std::string& name) const {
 }
 
 std::pair<Rational, Rational> ExactPoint::quarter(const Exact::Monomial& phase) const {
-  std::string text;
-  for (const auto& [name, exponent] : phase) {
-    text += name + "^" + std::to_string(exponent) + " ";
-  }
+  const std::string text = to_text(phase);
   const long m = 1 + pick(seed_ + 2, text, 9), n = m + 1 + pick(seed_ + 3, text, 7);
   return {ratio(2 * m * n, m * m + n * n), ratio(n * n - m * m, m * m + n * n)};
+}
+
+Rational ExactPoint::growth(const Exact::Monomial& phase) const {
+  const std::string text = to_text(phase);
+  const long m = 1 + pick(seed_ + 4, text, 13), n = m + 1 + pick(seed_ + 5, text, 29);
+  return ratio(n, m);
 }
 
 }  // namespace stickslip::numeric::scalars

@@ -1,11 +1,11 @@
 // Exact rational numbers at a random point of the field in which identities are decided.
 //
 // That field is made of rational functions in symbols, pi, and a pair (cos, sin) for every phase, a monomial
-// of symbols and pi such as omega1*tau or pi*omega1/omega; all of these are independent except for cos² +
-// sin² = 1. A point gives each symbol, pi among them, a rational number
-// and each phase a rational point of the circle. What is identically zero is exactly zero there; what is not
-// is nonzero at almost every point. Nothing here knows a normal form: numbers are added and multiplied as
-// they come.
+// of symbols and pi such as omega1*tau or pi*omega1/omega, and its exponential; all of these are independent
+// except for cos² + sin² = 1. A point gives each symbol, pi among them, a rational number, each phase a
+// rational point of the circle and a positive rational number as its exponential. What is identically zero is
+// exactly zero there; what is not is nonzero at almost every point. Nothing here knows a normal form: numbers
+// are added and multiplied as they come.
 #pragma once
 
 #include <map>
@@ -26,7 +26,8 @@ struct ZeroDivision : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The number has no exact value: an angle that is no combination of phases with coefficients in Z/4.
+// The number has no exact value: an angle or exponent that is no combination of phases with coefficients in
+// Z/4.
 struct NoExactValue : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -55,6 +56,7 @@ class Exact {
   friend std::pair<Exact, Exact> sin_cos(const Exact& angle);
   friend Exact sin(const Exact& angle) { return sin_cos(angle).first; }
   friend Exact cos(const Exact& angle) { return sin_cos(angle).second; }
+  friend Exact exp(const Exact& exponent);
   friend bool is_zero(const Exact& a) { return a.value_ == 0; }
 
  private:
@@ -88,8 +90,11 @@ class ExactPoint {
 
  private:
   friend std::pair<Exact, Exact> sin_cos(const Exact& angle);
+  friend Exact exp(const Exact& exponent);
   // (sin, cos) of a quarter of the phase.
   [[nodiscard]] std::pair<Rational, Rational> quarter(const Exact::Monomial& phase) const;
+  // exp of a quarter of the phase.
+  [[nodiscard]] Rational growth(const Exact::Monomial& phase) const;
   [[nodiscard]] Rational draw(const std::string& name) const;
 
   unsigned seed_;

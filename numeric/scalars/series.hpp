@@ -106,6 +106,17 @@ class Series {
   }
   friend Series sin(const Series& u) { return sin_cos(u).first; }
   friend Series cos(const Series& u) { return sin_cos(u).second; }
+  // From e' = u' e.
+  friend Series exp(const Series& u) {
+    Series e = sized(u, u);
+    e.at(0) = exp(u.at(0));
+    for (std::size_t k = 1; k < u.size(); ++k) {
+      for (std::size_t j = 1; j <= k; ++j) {
+        e.at(k) += S(static_cast<int>(j)) * u.at(j) * e.at(k - j) / S(static_cast<int>(k));
+      }
+    }
+    return e;
+  }
   // Exactly zero with all its derivatives, so that what it multiplies can be skipped.
   friend bool is_zero(const Series& a) {
     return is_zero(a.first_) &&

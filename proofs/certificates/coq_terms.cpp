@@ -299,6 +299,8 @@ std::string text(const Term& term, int level) {
       return applied("cos", parts, level);
     case Kind::sine:
       return applied("sin", parts, level);
+    case Kind::exponential:
+      return applied("exp", parts, level);
     case Kind::matrix:
       return is_matrix(term) ? matrix_text(term, level) : text(parts[0], level);
     case Kind::entry:

@@ -132,14 +132,15 @@ bool is_quarters(const Part& part) {
 }
 
 // By which numbers a monomial is divided: those of its coefficients, in as few phases as have no factor in
-// common; fractions of pi with nothing in common are phases of their own.
+// common; fractions of pi with nothing in common may be phases of their own.
 class Divisors {
  public:
+  explicit Divisors(bool pi_apart) : pi_apart_(pi_apart) {}
   void add(const Part& part) {
     mpz_class divisor = part.coefficient.get_den();
     std::vector<mpz_class>& known = divisors_[part.monomial];
     for (auto one = known.begin(); one != known.end();) {
-      if (part.monomial != pi || gcd(*one, divisor) > 1) {
+      if (part.monomial != pi || !pi_apart_ || gcd(*one, divisor) > 1) {
         divisor = lcm(*one, divisor);
         one = known.erase(one);
       } else {
@@ -168,6 +169,7 @@ class Divisors {
   }
 
  private:
+  bool pi_apart_;
   std::map<Monomial, std::vector<mpz_class>> divisors_;
 };
 
@@ -191,16 +193,18 @@ std::string phase(const Rational& unit) {
   return unit.get_den() == 1 ? unit.get_num().get_str()
                              : fmt::format("({} / {})", unit.get_num().get_str(), unit.get_den().get_str());
 }
-std::set<Term> arguments_in(const std::vector<Term>& terms) {
+std::set<Term> arguments_in(const std::vector<Term>& terms, const std::set<Kind>& functions) {
   std::set<Term> arguments;
   tactics::each_part(terms, [&](const Term& part) {
-    if (part.kind() == Kind::cosine || part.kind() == Kind::sine) {
+    if (functions.contains(part.kind())) {
       arguments.insert(part.parts()[0]);
     }
     return part.kind() != Kind::lambda;
   });
   return arguments;
 }
+const std::set circular{Kind::cosine, Kind::sine}, exponential{Kind::exponential},
+    all_functions{Kind::cosine, Kind::sine, Kind::exponential};
 // The numbers that are added in the argument, times the factor: those that stand apart may have phases of
 // their own.
 void collect_numbers(const Term& argument, const Rational& factor, std::vector<Rational>& found) {
@@ -246,7 +250,7 @@ void repeat(std::vector<std::string>& parts, const std::string& part, const Rati
 
 std::set<Rational> numbers_in_phases(const std::vector<Term>& terms) {
   std::set<Rational> numbers;
-  for (const Term& argument : arguments_in(terms)) {
+  for (const Term& argument : arguments_in(terms, all_functions)) {
     for (const Rational& number : numbers_in(argument)) {
       numbers.insert(abs(number));
     }
@@ -256,7 +260,7 @@ std::set<Rational> numbers_in_phases(const std::vector<Term>& terms) {
 
 std::vector<Term> apart(const std::vector<Term>& terms, const Numbers& numbers) {
   std::vector<Term> result = terms;
-  for (const Term& argument : arguments_in(terms)) {
+  for (const Term& argument : arguments_in(terms, all_functions)) {
     Term other = argument;
     for (const Rational& number : numbers_in(argument)) {
       const Rational unit = unit_of(number, numbers);
@@ -264,34 +268,37 @@ std::vector<Term> apart(const std::vector<Term>& terms, const Numbers& numbers) 
     }
     for (Term& term : result) {
       term = replaced(replaced(term, cos(argument), cos(other)), sin(argument), sin(other));
+      term = replaced(term, exp(argument), exp(other));
     }
   }
   return result;
 }
 
-Phases phases_of(const std::vector<Term>& terms, const Numbers& numbers) {
-  const std::set<Term> arguments = arguments_in(terms);
+namespace {
+
+// Where turns count, multiples of pi/2 are no phases.
+Expansions expansions(const std::set<Term>& arguments, const Numbers& numbers, bool has_turns) {
   struct Sum {
     std::vector<Part> parts;
     Rational turns = 0;
   };
   std::map<Term, Sum> sums;
-  Divisors divisors;
+  Divisors divisors(has_turns);
   for (const Term& argument : arguments) {
     Sum& sum = sums[argument];
     for (const auto& [monomial, coefficient] : linear(argument)) {
       Part part{monomial, coefficient};
-      if (monomial == pi) {
+      if (has_turns && monomial == pi) {
         part.coefficient = within_turn(coefficient);
         sum.turns = (coefficient - part.coefficient) / 2;
       }
       sum.parts.push_back(part);
-      if (!part.monomial.empty() && !is_quarters(part)) {
+      if (!part.monomial.empty() && !(has_turns && is_quarters(part))) {
         divisors.add(part);
       }
     }
   }
-  Phases result{.arguments = {}, .phases = divisors.phases()};
+  Expansions result{.arguments = {}, .phases = divisors.phases()};
   for (const std::set<Rational>& together : numbers) {
     result.phases.push_back(phase(common_unit(together)));
   }
@@ -299,7 +306,7 @@ Phases phases_of(const std::vector<Term>& terms, const Numbers& numbers) {
   for (const auto& [argument, sum] : sums) {
     std::vector<std::string> parts;
     for (const Part& part : sum.parts) {
-      if (is_quarters(part)) {
+      if (has_turns && is_quarters(part)) {
         repeat(parts, "(PI / 2)", part.coefficient * 2);
       } else if (part.monomial.empty()) {
         for (const Rational& number : numbers_in(argument)) {
@@ -315,7 +322,7 @@ Phases phases_of(const std::vector<Term>& terms, const Numbers& numbers) {
     repeat(parts, "(2 * PI)", sum.turns);
     const std::string shown = coq(argument);
     result.of_zero = result.of_zero || shown == "0";
-    const bool is_phase = parts.size() == 1 && parts[0] == shown && !is_quarters(sum.parts[0]);
+    const bool is_phase = parts.size() == 1 && parts[0] == shown && !(has_turns && is_quarters(sum.parts[0]));
     if (shown == "0" || is_phase || !done.insert(shown).second) {
       continue;
     }
@@ -324,6 +331,14 @@ Phases phases_of(const std::vector<Term>& terms, const Numbers& numbers) {
     result.arguments.push_back({shown, bare(all) == bare(shown) ? all + " + 0" : all});
   }
   return result;
+}
+
+}  // namespace
+
+Phases phases_of(const std::vector<Term>& terms, const Numbers& numbers) {
+  const std::set<Term> exponents = arguments_in(terms, exponential);
+  return {expansions(arguments_in(terms, circular), numbers, true),
+          exponents.empty() ? Expansions{} : expansions(exponents, numbers, false)};
 }
 
 }  // namespace stickslip::proofs::certificates

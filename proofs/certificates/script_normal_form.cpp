@@ -18,7 +18,7 @@ using namespace kernel;
 namespace {
 
 // What a normal form takes as it stands: variables, functions and definitions applied, pi. What stands in
-// the argument of a cos or sin is part of a phase.
+// the argument of a cos, sin or exp is part of a phase.
 std::vector<Term> atoms_in(const std::vector<Term>& terms) {
   std::vector<Term> found;
   tactics::each_part(terms, [&](const Term& part) {
@@ -27,7 +27,8 @@ std::vector<Term> atoms_in(const std::vector<Term>& terms) {
     if (atom && part.type().is_numeric()) {
       found.push_back(part);
     }
-    return !atom && part.kind() != Kind::cosine && part.kind() != Kind::sine;
+    return !atom && part.kind() != Kind::cosine && part.kind() != Kind::sine &&
+           part.kind() != Kind::exponential;
   });
   return found;
 }
@@ -299,21 +300,37 @@ std::string Script::normal_form(const Term& left, const Term& right, const Step&
   // Nothing else that is known is of use then.
   std::vector<std::string> known = divisors;
   const auto know = [&](const std::string& name) { known.push_back(name); };
-  for (std::size_t i = 0; i < phases.arguments.size(); ++i) {
-    const auto& [argument, sum] = phases.arguments[i];
+  for (std::size_t i = 0; i < phases.circles.arguments.size(); ++i) {
+    const auto& [argument, sum] = phases.circles.arguments[i];
     text += fmt::format("  assert (E'{0} : {1} = {2}) by angle.\n  expand_circle E'{0} C'{0} S'{0}.\n", i,
                         argument, sum);
     know(fmt::format("C'{}", i));
     know(fmt::format("S'{}", i));
   }
-  for (std::size_t i = 0; i < phases.phases.size(); ++i) {
-    text += fmt::format("  pose proof (circle {}) as K'{}.\n", phases.phases[i], i);
+  for (std::size_t i = 0; i < phases.circles.phases.size(); ++i) {
+    text += fmt::format("  pose proof (circle {}) as K'{}.\n", phases.circles.phases[i], i);
     know(fmt::format("K'{}", i));
   }
-  if (phases.of_zero) {
+  if (phases.circles.of_zero) {
     text += "  pose proof cos_0 as C'; pose proof sin_0 as S'.\n";
     know("C'");
     know("S'");
+  }
+  for (std::size_t i = 0; i < phases.exponentials.arguments.size(); ++i) {
+    const auto& [argument, sum] = phases.exponentials.arguments[i];
+    text += fmt::format(
+        "  assert (D'{0} : {1} = {2}) by angle.\n  expand_exponential D'{0} X'{0}. rewrite ?X'{0}.\n", i,
+        argument, sum);
+    for (const std::string& divisor : divisors) {
+      text += fmt::format("  rewrite ?X'{} in {}.\n", i, divisor);
+    }
+  }
+  for (std::size_t i = 0; i < phases.exponentials.phases.size(); ++i) {
+    text += fmt::format("  pose proof (exp_differs {}) as N'{}.\n", phases.exponentials.phases[i], i);
+    know(fmt::format("N'{}", i));
+  }
+  if (phases.exponentials.of_zero) {
+    text += "  rewrite ?exp_0.\n";
   }
   std::vector<Term> atoms = atoms_in(terms);
   if (std::ranges::any_of(atoms, [](const Term& atom) { return atom.kind() == Kind::pi; })) {

@@ -46,6 +46,9 @@ struct At {
   [[nodiscard]] static S sine(const kernel::Term& argument, auto& entries) {
     return sin(entries(argument)[0]);
   }
+  [[nodiscard]] static S exponential(const kernel::Term& argument, auto& entries) {
+    return exp(entries(argument)[0]);
+  }
   [[nodiscard]] std::vector<S> atom(const kernel::Term& term, auto& entries) const {
     if (term.kind() == kernel::Kind::defined) {
       return entries(term.definition().unfolded(term.parts()));

@@ -72,6 +72,9 @@ struct WithUnknowns {
   friend WithUnknowns cos(const WithUnknowns& a) {
     return mapped([](const Ball& x) { return Ball(cos(x)); }, a);
   }
+  friend WithUnknowns exp(const WithUnknowns& a) {
+    return mapped([](const Ball& x) { return Ball(exp(x)); }, a);
+  }
   friend std::pair<WithUnknowns, WithUnknowns> sin_cos(const WithUnknowns& a) { return {sin(a), cos(a)}; }
   friend WithUnknowns abs(const WithUnknowns& a) {
     return mapped([](const Ball& x) { return Ball(abs(x)); }, a);

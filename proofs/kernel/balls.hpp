@@ -23,6 +23,9 @@ struct Balls {
   }
   [[nodiscard]] static Ball cosine(const Term& argument, auto& entries) { return cos(entries(argument)[0]); }
   [[nodiscard]] static Ball sine(const Term& argument, auto& entries) { return sin(entries(argument)[0]); }
+  [[nodiscard]] static Ball exponential(const Term& argument, auto& entries) {
+    return exp(entries(argument)[0]);
+  }
   [[nodiscard]] std::vector<Ball> atom(const Term& term, auto& entries) const {
     if (term.kind() == Kind::defined) {
       return entries(term.definition().unfolded(term.parts()));

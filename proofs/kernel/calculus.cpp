@@ -57,6 +57,8 @@ class Derivative {
         return -(sin(parts[0]) * of(parts[0]));
       case Kind::sine:
         return cos(parts[0]) * of(parts[0]);
+      case Kind::exponential:
+        return term * of(parts[0]);
       case Kind::matrix: {
         std::vector<Term> rates;
         std::transform(parts.begin(), parts.end(), std::back_inserter(rates),

@@ -74,6 +74,9 @@ Term cos(const Term& a) {
 Term sin(const Term& a) {
   return make(Kind::sine, {a});
 }
+Term exp(const Term& a) {
+  return make(Kind::exponential, {a});
+}
 Term tan(const Term& a) {
   return sin(a) / cos(a);
 }

@@ -36,6 +36,7 @@ class Continuity {
       case Kind::power:
       case Kind::cosine:
       case Kind::sine:
+      case Kind::exponential:
       case Kind::matrix:
       case Kind::entry:
         break;

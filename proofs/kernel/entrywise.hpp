@@ -10,7 +10,8 @@ namespace stickslip::proofs::kernel {
 
 // A System has a type Number with + and *, and
 //   Number number(const Rational&), pi(), reciprocal(const Number&),
-//   Number cosine(const Term& argument, entries), sine(…): entries is this object, for the argument's value,
+//   Number cosine(const Term& argument, entries), sine(…), exponential(…): entries is this object, for the
+//   argument's value,
 //   std::vector<Number> atom(const Term&, entries): of a variable, a function applied, a definition applied.
 // The entries of a matrix stand row by row.
 template <class System>
@@ -60,6 +61,8 @@ class Entrywise {
         return {system_.cosine(parts[0], *this)};
       case Kind::sine:
         return {system_.sine(parts[0], *this)};
+      case Kind::exponential:
+        return {system_.exponential(parts[0], *this)};
       case Kind::matrix: {
         Entries result;
         for (const Term& part : parts) {

@@ -32,19 +32,29 @@ bool same_atom(const Term& a, const Term& b) {
          std::equal(a.parts().begin(), a.parts().end(), b.parts().begin(), same_value);
 }
 
-// cos and sin of a multiple of one phase, angle = monomial/denominator times 1/lcm.
+// cos, sin or exp of whole multiples of one phase, angle = monomial/denominator times the unit.
 struct Phase {
   Quotient angle;
-  Integer lcm = 1;
+  Rational unit;
 };
+using Phases = std::vector<Phase>;
 
-// The argument of a cos or sin: quarter turns, and for each phase its rational coefficient.
+// The largest number of which both are whole multiples.
+Rational common_unit(const Rational& a, const Rational& b) {
+  const Integer numerator = gcd(Integer(a.get_num() * b.get_den()), Integer(b.get_num() * a.get_den()));
+  Rational unit(numerator, Integer(a.get_den() * b.get_den()));
+  unit.canonicalize();
+  return unit;
+}
+
+// The argument of a cos, sin or exp: quarter turns, and for each phase its rational coefficient.
 struct Angle {
   Integer quarters = 0;
   std::vector<std::pair<std::size_t, Rational>> phases;
 };
+using Angles = std::map<Term, Angle, Before>;
 
-// The atoms of a term, and all cos and sin of it as circles.
+// The atoms of a term, all cos and sin of it as circles, and all exp as powers of generators.
 class Atoms {
  public:
   explicit Atoms(const Term& term) {
@@ -55,18 +65,29 @@ class Atoms {
       count += static_cast<std::size_t>(atom.type().rows * atom.type().columns);
     }
     base_ = std::make_unique<Ring>(count, 0);
-    std::map<Term, Angle, Before> angles;  // none is known yet: the base ring has no circles
+    Angles angles, exponents;  // none is known yet: the base ring has no circles
     Entrywise<Polynomials> entries({*this, *base_});
     for (const Term& argument : arguments_) {
-      angles.emplace(argument, angle(entries(argument)[0]));
+      angles.emplace(argument, angle(entries(argument)[0], true, phases_));
+    }
+    for (const Term& argument : of_exponentials_) {
+      exponents.emplace(argument, angle(entries(argument)[0], false, growths_));
     }
     angles_ = std::move(angles);
-    whole_ = std::make_unique<Ring>(count, phases_.size());
+    exponents_ = std::move(exponents);
+    first_growth_ = count;
+    whole_ = std::make_unique<Ring>(count + growths_.size(), phases_.size());
   }
 
   // Row by row, over denominators that are products of divisors. They live as long as this object.
   [[nodiscard]] std::vector<Quotient> entries(const Term& term) const {
     return Entrywise<Polynomials>({*this, *whole_})(term);
+  }
+
+  // Whether it is never zero: a rational number times powers, of any sign, of π and of exponentials.
+  [[nodiscard]] bool is_never_zero(const Term& term) const {
+    const Quotient value = entries(term)[0];
+    return !value.is_zero() && value.is_made_of([&](std::size_t k) { return k == 0 || k >= first_growth_; });
   }
 
  private:
@@ -88,6 +109,9 @@ class Atoms {
       return atoms.circle(argument, ring).c;
     }
     [[nodiscard]] Quotient sine(const Term& argument, auto&) const { return atoms.circle(argument, ring).s; }
+    [[nodiscard]] Quotient exponential(const Term& argument, auto&) const {
+      return atoms.growth(argument, ring);
+    }
     [[nodiscard]] std::vector<Quotient> atom(const Term& term, auto&) const {
       std::vector<Quotient> result;
       for (int k = 0; k < term.type().rows * term.type().columns; ++k) {
@@ -118,25 +142,27 @@ class Atoms {
     }
     if (term.kind() == Kind::cosine || term.kind() == Kind::sine) {
       arguments_.insert(term.parts()[0]);
+    } else if (term.kind() == Kind::exponential) {
+      of_exponentials_.insert(term.parts()[0]);
     }
   }
 
-  Angle angle(const Quotient& argument) {
+  [[nodiscard]] Angle angle(const Quotient& argument, bool has_quarters, Phases& phases) const {
     Angle result;
     for (const auto& [coefficient, monomial] : terms(argument)) {
       const Rational quarters = coefficient * 2;
-      if (equal(monomial, base_->generator(0)) && quarters.get_den() == 1) {
+      if (has_quarters && equal(monomial, base_->generator(0)) && quarters.get_den() == 1) {
         result.quarters += quarters.get_num();
         continue;
       }
       const auto known =
-          std::find_if(phases_.begin(), phases_.end(),
+          std::find_if(phases.begin(), phases.end(),
                        [&, &angle = monomial](const Phase& phase) { return equal(phase.angle, angle); });
-      result.phases.emplace_back(known - phases_.begin(), coefficient);
-      if (known == phases_.end()) {
-        phases_.push_back({monomial, coefficient.get_den()});
+      result.phases.emplace_back(known - phases.begin(), coefficient);
+      if (known == phases.end()) {
+        phases.push_back({monomial, abs(coefficient)});
       } else {
-        mpz_lcm(known->lcm.get_mpz_t(), known->lcm.get_mpz_t(), coefficient.get_den_mpz_t());
+        known->unit = common_unit(known->unit, coefficient);
       }
     }
     return result;
@@ -148,41 +174,65 @@ class Atoms {
 
   [[nodiscard]] Pair circle(const Term& argument, const Ring& ring) const {
     const auto angle = angles_.find(argument);
-    require(angle != angles_.end(), "a cos or sin stands within the argument of another");
+    require(angle != angles_.end(), "a cos or sin stands within the argument of another, or of an exp");
     Pair result{ring.number(1), ring.number(0)};
     const Integer quarters = ((angle->second.quarters % 4) + 4) % 4;
     for (Integer i = 0; i < quarters; ++i) {
       result = turned(result, {ring.number(0), ring.number(1)}, ring);
     }
     for (const auto& [phase, coefficient] : angle->second.phases) {
-      const Rational multiple = coefficient * phases_[phase].lcm;
-      require(multiple.get_den() == 1 && abs(multiple) <= largest_multiple,
-              "a phase is taken more than 1000 times");
-      const Pair once{ring.cosine(phase), ring.number(sgn(multiple)) * ring.sine(phase)};
-      for (long i = std::abs(multiple.get_num().get_si()); i > 0; --i) {
+      const long multiple = multiple_of(phases_[phase], coefficient);
+      const Pair once{ring.cosine(phase), ring.number(multiple < 0 ? -1 : 1) * ring.sine(phase)};
+      for (long i = std::abs(multiple); i > 0; --i) {
         result = turned(result, once, ring);
       }
     }
     return result;
   }
 
+  [[nodiscard]] Quotient growth(const Term& argument, const Ring& ring) const {
+    const auto exponent = exponents_.find(argument);
+    require(exponent != exponents_.end(), "an exp stands within the argument of another, or of a cos or sin");
+    Quotient result = ring.number(1);
+    for (const auto& [phase, coefficient] : exponent->second.phases) {
+      const long multiple = multiple_of(growths_[phase], coefficient);
+      const Quotient unit = ring.generator(first_growth_ + phase),
+                     once = multiple < 0 ? unit.inverted() : unit;
+      for (long i = std::abs(multiple); i > 0; --i) {
+        result = result * once;
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] static long multiple_of(const Phase& phase, const Rational& coefficient) {
+    const Rational multiple = coefficient / phase.unit;
+    require(multiple.get_den() == 1 && abs(multiple) <= largest_multiple,
+            "a phase is taken more than 1000 times");
+    return multiple.get_num().get_si();
+  }
+
   Terms seen_;
-  Terms arguments_;  // of cos and sin
+  Terms arguments_, of_exponentials_;  // of cos and sin, and of exp
   std::vector<Term> atoms_;
   std::map<Term, std::size_t> atom_of_;
   std::vector<std::size_t> offsets_;    // of an atom's first generator
   std::unique_ptr<Ring> base_, whole_;  // without circles, for arguments; and with them
-  std::vector<Phase> phases_;           // in the base ring
-  std::map<Term, Angle, Before> angles_;
+  std::size_t first_growth_ = 0;        // of the whole ring's generators
+  Phases phases_, growths_;             // in the base ring
+  Angles angles_, exponents_;
 };
 
-bool is_nonzero_constant(const Term& term) {
-  if (!term.variables().empty()) {
+bool has_exponential(const Term& term) {
+  return term.kind() == Kind::exponential || std::ranges::any_of(term.parts(), has_exponential);
+}
+
+bool is_never_zero(const Term& term) {
+  if (!term.variables().empty() && !has_exponential(term)) {
     return false;
   }
   try {
-    const Atoms atoms(term);
-    return atoms.entries(term)[0].is_multiple_of_power(0);
+    return Atoms(term).is_never_zero(term);
   } catch (const KernelError&) {
     return false;  // then it is listed
   }
@@ -198,7 +248,7 @@ void collect(const Term& term, Terms& seen, Formulas& found) {
   if (term.kind() == Kind::inverse) {
     const Term& inverted = term.parts()[0];
     const Term divisor = inverted.type().is_scalar() ? inverted : determinant(inverted);
-    if (!is_nonzero_constant(divisor)) {
+    if (!is_never_zero(divisor)) {
       found.insert(differ(divisor, 0));
     }
   }

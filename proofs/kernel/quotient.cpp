@@ -91,15 +91,16 @@ Quotient::Quotient(const Ring& ring, Polynomial numerator, Polynomial denominato
   }
 }
 
-bool Quotient::is_multiple_of_power(std::size_t generator) const {
+bool Quotient::is_made_of(const std::function<bool(std::size_t)>& may_be) const {
   const auto is_power = [&](const Polynomial& p) {
     const auto * context = p.ring().context();
     if (fmpq_mpoly_length(p.raw(), context) != 1) {
       return false;
     }
-    const std::size_t wanted = 2 * ring_->circles() + generator;
+    const std::size_t circles = 2 * ring_->circles();
     for (std::size_t k = 0; k < p.ring().generators(); ++k) {
-      if (k != wanted && fmpq_mpoly_get_term_var_exp_ui(p.raw(), 0, static_cast<slong>(k), context) != 0) {
+      if ((k < circles || !may_be(k - circles)) &&
+          fmpq_mpoly_get_term_var_exp_ui(p.raw(), 0, static_cast<slong>(k), context) != 0) {
         return false;
       }
     }

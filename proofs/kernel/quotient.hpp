@@ -2,6 +2,7 @@
 // pairs of them. Not only for the kernel: nothing here makes a Theorem.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,8 +22,8 @@ class Quotient {
   [[nodiscard]] const Polynomial& numerator() const { return numerator_; }
   [[nodiscard]] const Polynomial& denominator() const { return denominator_; }
   [[nodiscard]] bool is_zero() const { return numerator_.is_zero(); }
-  // Whether it is a nonzero rational number times a power, of any sign, of the generator.
-  [[nodiscard]] bool is_multiple_of_power(std::size_t generator) const;
+  // Whether it is a rational number times powers, of any sign, of generators of which that is true.
+  [[nodiscard]] bool is_made_of(const std::function<bool(std::size_t generator)>& may_be) const;
   // Throws KernelError for the inverse of zero.
   [[nodiscard]] Quotient inverted() const;
 

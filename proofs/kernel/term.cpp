@@ -68,7 +68,8 @@ Type numeric_type(const Node& node) {
       return parts[0].type();
     case Kind::cosine:
     case Kind::sine:
-      require(parts[0].type().is_scalar(), "cos and sin are of numbers");
+    case Kind::exponential:
+      require(parts[0].type().is_scalar(), "cos, sin and exp are of numbers");
       return real_number;
     case Kind::matrix: {
       const Type type{Sort::real, node.row, node.column};
@@ -142,7 +143,7 @@ Type type_of(const Node& node) {
     require(node.parts[0].type().is_numeric(), "a function's values are numbers or matrices");
     return {Sort::function, node.parts[0].type().rows, node.parts[0].type().columns};
   }
-  if (node.kind == Kind::apply || node.kind < Kind::lambda) {
+  if (node.kind == Kind::apply || node.kind == Kind::exponential || node.kind < Kind::lambda) {
     return numeric_type(node);
   }
   check_formula(node);

@@ -67,6 +67,7 @@ enum class Kind {
   lambda, apply,
   equal, less, at_most, conjunction, disjunction, negation, implication, for_all, exists,  // formulas
   derivative, continuous, finite, inside_unit_circle,
+  exponential,  // numeric; last, for the order of terms rests on the numbers of the others
 };
 // clang-format on
 
@@ -179,6 +180,7 @@ struct Node {
 [[nodiscard]] Term inverse(const Term& a);                   // of a square matrix of at most 4 rows
 [[nodiscard]] Term cos(const Term& a);
 [[nodiscard]] Term sin(const Term& a);
+[[nodiscard]] Term exp(const Term& a);
 [[nodiscard]] Term tan(const Term& a);                                               // sin(a)/cos(a)
 [[nodiscard]] Term matrix(int rows, int columns, const std::vector<Term>& entries);  // row by row
 [[nodiscard]] Term entry(const Term& a, int row, int column = 0);                    // from 0

@@ -85,7 +85,11 @@ Theorem directly(Derivation& derivation, const Formula& formula) {
     return first_of({by_product, at_values, what_follows}, derivation, formula);
   }
   if (formula.kind() == kernel::Kind::exists) {
-    return derivation.combination(formula);  // there are derivatives with which it holds
+    if (const auto identity = attempt([&] { return derivation.combination(formula); })) {
+      return *identity;
+    }
+    return derivation.with_derivatives(formula,
+                                       [&](const Formula& one) { return directly(derivation, one); });
   }
   if (formula.kind() == kernel::Kind::disjunction && formula.parts().size() == 2 &&
       formula.parts()[0].kind() == kernel::Kind::less) {  // of an absolute value
@@ -163,6 +167,7 @@ Outcome by_itself_alone(Prover& prover, const Claim& claim) {
                              : "the sign of the difference of both sides, for all values of the symbols",
                  prover, claim, [](Derivation& derivation, std::size_t which) {
                    derivation.hurry();
+                   derivation.look_for_signs();
                    return directly(derivation, derivation.printed(which));
                  });
 }
@@ -175,6 +180,7 @@ Outcome with_equations_put_in(Prover& prover, const Claim& claim) {
     Outcome outcome = derived("with the equations that are assumed put in", prover, claim,
                               [&](Derivation& derivation, std::size_t which) {
                                 derivation.hurry();
+                                derivation.look_for_signs();
                                 return put_in(derivation, derivation.printed(which), choice, exhausted);
                               });
     const bool proved = outcome.verdict.truth == Truth::proved;
@@ -192,6 +198,7 @@ Outcome with_equations_put_in(Prover& prover, const Claim& claim) {
 Outcome as_combination(Prover& prover, const Claim& claim) {
   return derived("a combination of the equations that are assumed", prover, claim,
                  [](Derivation& derivation, std::size_t which) {
+                   derivation.look_for_signs();
                    return derivation.combined(derivation.printed(which));
                  });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "proofs/symbols/table.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
+#include "proofs/tactics/relations.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -159,6 +161,9 @@ Theorem Derivation::without_divisors(const Theorem& theorem) {
     }
   }
   result = nonzero(result, domain_, stated_nonzero_);
+  if (looks_for_signs_) {
+    result = tactics::settled_by(result, [this](const Formula& one) { return differs_by_sign(one); });
+  }
   const std::vector<Formula> left = open_ones(result);
   for (const Formula& weak : left) {
     for (const Formula& strong : left) {
@@ -172,6 +177,19 @@ Theorem Derivation::without_divisors(const Theorem& theorem) {
     }
   }
   return result;
+}
+
+std::optional<Theorem> Derivation::differs_by_sign(const Formula& divisor) const {
+  if (!is_divisor(divisor) || assumed_.contains(divisor)) {
+    return std::nullopt;
+  }
+  const Term d = divisor.parts()[0].parts()[0];
+  std::vector<Theorem> inequalities;
+  std::ranges::copy_if(domain_, std::back_inserter(inequalities),
+                       [](const Theorem& one) { return is_inequality(one.conclusion()); });
+  return tactics::first_that_works(std::array{less(0, d), less(d, 0)}, [&](const Formula& sign) {
+    return tactics::different(tactics::inequality(sign, inequalities));
+  });
 }
 
 // What is stated with its definitions opened, with the given values put in and without, and its factors.

@@ -12,6 +12,7 @@
 #include "proofs/kernel/term.hpp"
 #include "proofs/methods/methods.hpp"
 #include "proofs/methods/reading.hpp"
+#include "proofs/tactics/slopes.hpp"
 #include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::methods {
@@ -55,6 +56,8 @@ class Derivation {
   // An equation between numbers as a combination of those that the claim assumes, which is looked for
   // (letters.hpp).
   [[nodiscard]] kernel::Theorem combined(const kernel::Formula& equation);
+  // That there are derivatives with which something holds, by how that is shown of them.
+  [[nodiscard]] kernel::Theorem with_derivatives(const kernel::Formula& formula, const tactics::Shown& shown);
   // What the work makes where the inequality is known, too: it is a hypothesis then.
   [[nodiscard]] kernel::Theorem supposing(const kernel::Formula& inequality,
                                           const std::function<kernel::Theorem()>& work);
@@ -80,11 +83,13 @@ class Derivation {
   [[nodiscard]] kernel::Theorem without_divisors(const kernel::Theorem& theorem);
   // From now on nothing is looked for that takes long, as related() does.
   void hurry() { hurries_ = true; }
+  // From now on d ≠ 0 may also follow from a sign of d that is looked for (tactics/relations).
+  void look_for_signs() { looks_for_signs_ = true; }
   // From now on all d ≠ 0 stay as they are: for who puts numbers in.
   void leave_divisors() { divisors_stay_ = true; }
 
  private:
-  bool divisors_stay_ = false, looks_at_sines_ = false, hurries_ = false;
+  bool divisors_stay_ = false, looks_at_sines_ = false, hurries_ = false, looks_for_signs_ = false;
   struct Given {
     std::string id;
     kernel::Theorem equation;
@@ -99,6 +104,7 @@ class Derivation {
   using Rule = std::function<kernel::Theorem(const Problem&)>;
 
   void look_into_stated();
+  [[nodiscard]] std::optional<kernel::Theorem> differs_by_sign(const kernel::Formula& divisor) const;
   [[nodiscard]] std::vector<kernel::Theorem> positive_sines(const kernel::Term& term);
   [[nodiscard]] static std::vector<kernel::Term> residual(const Problem& problem);
   [[nodiscard]] kernel::Theorem solved(const Problem& problem, bool is_order);

@@ -96,7 +96,8 @@ Theorem Derivation::with_fewest_given(const Problem& problem, const Rule& rule) 
 // What is to be zero for the rules order and combination: the difference of the sides, less what it is to be.
 std::vector<Term> Derivation::residual(const Problem& problem) {
   const bool equation = problem.goal.kind() == kernel::Kind::equal;
-  std::vector<Term> parts{equation ? -gap_of(problem.goal) : gap_of(problem.goal)};
+  const std::vector<Term>& sides = problem.goal.parts();
+  std::vector<Term> parts{sides[equation ? 0 : 1], -sides[equation ? 1 : 0]};
   for (const Multiple& multiple : problem.multiples) {
     parts.push_back(multiple.left * gap_of(multiple.equation.conclusion()) * multiple.right);
   }
@@ -110,32 +111,10 @@ std::vector<Term> Derivation::residual(const Problem& problem) {
   return parts;
 }
 
-namespace {
-
-const Variable time_variable{"t"};
-
-// An equation between formulas, or the existence of derivatives with which one holds.
-Theorem identity_of(const Formula& formula, const Definitions& unfolded) {
-  if (formula.kind() != kernel::Kind::exists) {
-    return Theorem::combination(formula, {}, unfolded);
-  }
-  const Variable D = fresh(formula.binds(), {formula});
-  const Formula open = opened(formula, D);
-  const Term f = opened(open.parts()[0], time_variable).parts()[0];
-  const Theorem slope = Theorem::differentiate(f, time_variable);
-  for (const Formula& one : slope.hypotheses()) {
-    if (occurs(time_variable, one)) {
-      throw KernelError("a derivative is one at all times, and here it divides by " +
-                        to_string(one.parts()[0].parts()[0]));
-    }
-  }
-  const Theorem at_all_times = Theorem::generalize(slope, time_variable);
-  const Term value = lambda(time_variable, slope.conclusion().parts()[2]);
-  const Theorem rest = identity_of(substitute(open.parts()[1], {{D, value}}), unfolded);
-  return Theorem::witness(both({at_all_times, rest}), formula, value);
+Theorem Derivation::with_derivatives(const Formula& formula, const tactics::Shown& shown) {
+  return tactics::there_are_slopes(
+      formula, [this](const Theorem& slope) { return without_divisors(slope); }, shown);
 }
-
-}  // namespace
 
 Theorem Derivation::solved(const Problem& problem, bool is_order) {
   std::vector<Formula> said{problem.goal};
@@ -162,7 +141,9 @@ Theorem Derivation::solved(const Problem& problem, bool is_order) {
     try {
       const Rule rule = [&](const Problem& one) {
         if (one.goal.kind() == kernel::Kind::exists) {
-          return identity_of(one.goal, unfolded);
+          return with_derivatives(one.goal, [&](const Formula& equation) {
+            return Theorem::combination(equation, {}, unfolded);
+          });
         }
         if (!seems_zero(residual(one), unfolded)) {
           throw KernelError("it does not come out, not even nearly at a point");
@@ -345,6 +326,9 @@ Theorem Derivation::related(const Formula& formula) {
 }
 
 Theorem Derivation::combined(const Formula& equation) {
+  if (equation.kind() == kernel::Kind::exists) {
+    return with_derivatives(equation, [&](const Formula& one) { return combined(one); });
+  }
   const auto difference = [](const Formula& one) { return one.parts()[0] - one.parts()[1]; };
   std::vector<Theorem> equations;
   std::vector<Formula> said{equation};

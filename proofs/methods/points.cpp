@@ -12,6 +12,7 @@
 #include "proofs/methods/reading.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
+#include "proofs/tactics/slopes.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -62,6 +63,12 @@ class Draw {
     }
     const Rational size = ratio(below(60) + 1, 1 + below(12));
     if (bounds.lower || bounds.upper) {
+      constexpr std::size_t many = 100;
+      const Rational& other =
+          small[k < many ? 0 : static_cast<std::size_t>(below(static_cast<int>(small.size())))];
+      if (k >= many && (bounds.lower ? other > *bounds.lower : other < *bounds.upper) && below(2) == 0) {
+        return other;
+      }
       return bounds.lower ? Rational(*bounds.lower + size) : Rational(*bounds.upper - size);
     }
     if (k < small.size()) {
@@ -82,9 +89,11 @@ class Draw {
   std::mt19937 random_{1};
 };
 
-// Whether it holds nearly there; nothing where that cannot be said.
-std::optional<bool> holds_nearly(const Formula& formula, const tactics::Point& values) {
-  constexpr double fault = 1e-9;
+constexpr double fault = 1e-9;
+
+// Whether it holds nearly there, a < b by at least the margin; nothing where that cannot be said.
+std::optional<bool> holds_nearly(const Formula& formula, const tactics::Point& values,
+                                 double margin = fault) {
   const auto gap = [&] { return tactics::estimated(gap_of(formula), values); };
   switch (formula.kind()) {
     case kernel::Kind::equal: {
@@ -100,18 +109,18 @@ std::optional<bool> holds_nearly(const Formula& formula, const tactics::Point& v
       return true;
     }
     case kernel::Kind::less:
-      return gap() > fault;
+      return gap() > margin;
     case kernel::Kind::at_most:
       return gap() > -fault;
     case kernel::Kind::negation: {
-      const auto inside = holds_nearly(formula.parts()[0], values);
+      const auto inside = holds_nearly(formula.parts()[0], values, margin);
       return inside ? std::optional(!*inside) : std::nullopt;
     }
     case kernel::Kind::conjunction:
     case kernel::Kind::disjunction: {
       const bool one_decides = formula.kind() == kernel::Kind::disjunction;
       for (const Formula& part : formula.parts()) {
-        const auto here = holds_nearly(part, values);
+        const auto here = holds_nearly(part, values, margin);
         if (!here || *here == one_decides) {
           return here;
         }
@@ -170,14 +179,14 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
   };
   for (const Formula& one : derivation.assumed()) {
     if (std::ranges::all_of(one.variables(), [](const Variable& x) { return x.type == real_number; })) {
-      result.conditions.push_back(put_in(one));
+      result.conditions.push_back(put_in(tactics::with_slopes(one)));
     }
   }
   const auto draw_all_of = [&](const Formula& formula) {
     result.drawn.insert(formula.variables().begin(), formula.variables().end());
   };
   if (failing) {
-    result.failing = put_in(derivation.read(*failing));
+    result.failing = put_in(tactics::with_slopes(derivation.read(*failing)));
     draw_all_of(*result.failing);
   }
   std::ranges::for_each(result.conditions, draw_all_of);
@@ -218,7 +227,7 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
       for (const Variable& name : open->drawn) {
         scene.point.push_back({name.name, values.emplace(name, draw.value(name.name, k)).first->second});
       }
-      const auto holds = open->failing ? holds_nearly(*open->failing, values) : std::optional(false);
+      const auto holds = open->failing ? holds_nearly(*open->failing, values, 0) : std::optional(false);
       if (holds != std::optional(false)) {
         agreeing += holds && open->failing->kind() == kernel::Kind::equal ? 1 : 0;
         continue;

@@ -36,6 +36,8 @@ symbols::Term printed_term(const Term& term) {
       return symbols::cos(part(0));
     case kernel::Kind::sine:
       return symbols::sin(part(0));
+    case kernel::Kind::exponential:
+      return symbols::exp(part(0));
     case kernel::Kind::defined:
       if (term.type().is_scalar()) {
         return symbols::scalar(term.definition().name());
@@ -54,6 +56,8 @@ symbols::Term neat_letter(const Term& letter) {
       return symbols::cos(neat_term(letter.parts()[0]));
     case kernel::Kind::sine:
       return symbols::sin(neat_term(letter.parts()[0]));
+    case kernel::Kind::exponential:
+      return symbols::exp(neat_term(letter.parts()[0]));
     default:
       return printed_term(letter);
   }

@@ -137,6 +137,9 @@ Term Reader::symbol(const symbols::Term& printed) {
 Term Reader::function(const symbols::Term& printed) {
   const Term argument = (*this)(printed.arguments().front());
   const std::string& name = printed.name();
+  if (name == "exp") {
+    return exp(argument);
+  }
   if (name == "cos" || name == "sin" || name == "tan") {
     return name == "cos" ? cos(argument) : name == "sin" ? sin(argument) : tan(argument);
   }

@@ -82,10 +82,12 @@ const Functions<S>& functions() {
   using L = Lookup<S>;
   using V = Value<S>;
   using std::cos;
+  using std::exp;
   using std::sin;
   static const Functions<S> known{
       {"cos", [](const L&, const S& t) -> V { return scalar_value<S>(S(cos(t))); }},
       {"sin", [](const L&, const S& t) -> V { return scalar_value<S>(S(sin(t))); }},
+      {"exp", [](const L&, const S& t) -> V { return scalar_value<S>(S(exp(t))); }},
       {"tan", [](const L&, const S& t) -> V { return scalar_value<S>(S(S(sin(t)) / S(cos(t)))); }},
       {"abs", [](const L&, const S& t) -> V { return scalar_value<S>(absolute_value(t)); }},
       {"H", [](const L& s, const S& t) -> V { return model::H<S>(modes<S>(s), t); }},
@@ -113,7 +115,7 @@ const Functions<S>& functions() {
 // vocabulary.
 template <class S, class Formulas>
 auto formula_of(const Formulas& known, const std::string& name) {
-  static const std::set<std::string> elementary{"cos", "sin", "tan", "abs"};
+  static const std::set<std::string> elementary{"cos", "sin", "tan", "exp", "abs"};
   return vocabulary_here().is_of_model() || elementary.contains(name) ? known.find(name) : known.end();
 }
 

@@ -164,6 +164,9 @@ Term sin(const Term& argument) {
 Term tan(const Term& argument) {
   return Function{"tan", {}}(argument);
 }
+Term exp(const Term& argument) {
+  return Function{"exp", {}}(argument);
+}
 
 Term abs(const Term& argument) {
   return Function{"abs", {}}(argument);

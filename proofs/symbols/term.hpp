@@ -94,6 +94,7 @@ struct Function {
 [[nodiscard]] Term cos(const Term& argument);
 [[nodiscard]] Term sin(const Term& argument);
 [[nodiscard]] Term tan(const Term& argument);
+[[nodiscard]] Term exp(const Term& argument);
 // |argument|: printed and evaluated in balls, but the kernel has no term for it.
 [[nodiscard]] Term abs(const Term& argument);
 // 1 or -1, the sign of the argument; only for times at which that is not 0.

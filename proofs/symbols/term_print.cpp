@@ -1,6 +1,7 @@
 // Terms as LaTeX and as plain text: one walk over the tree, two vocabularies.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "proofs/symbols/term.hpp"
@@ -35,8 +36,9 @@ std::string name_of(const std::string& name, Style style) {
   return style == Style::latex ? symbolic::typeset::latex_name(name) : name;
 }
 
-bool is_trigonometric(const Term& term) {
-  return term.op() == Op::function && (term.name() == "cos" || term.name() == "sin" || term.name() == "tan");
+bool is_elementary(const Term& term) {
+  constexpr std::array names{"cos", "sin", "tan", "exp"};
+  return term.op() == Op::function && std::ranges::count(names, term.name()) > 0;
 }
 
 // H_1(t), H_1^{2}(t), F'(t), \cos(\omega t): `decoration` stands between name and argument.
@@ -46,10 +48,10 @@ std::string application(const Term& function, const std::string& decoration, Sty
     return style == Style::latex ? fmt::format("\\left|{}\\right|{}", argument, decoration)
                                  : fmt::format("|{}|{}", argument, decoration);
   }
-  const std::string name = style == Style::text         ? function.name()
-                           : is_trigonometric(function) ? "\\" + function.name()
-                           : function.name() == "sign"  ? "\\operatorname{sign}"
-                                                        : name_of(function.name(), style);
+  const std::string name = style == Style::text        ? function.name()
+                           : is_elementary(function)   ? "\\" + function.name()
+                           : function.name() == "sign" ? "\\operatorname{sign}"
+                                                       : name_of(function.name(), style);
   return fmt::format("{}{}({})", name, decoration, argument);
 }
 
@@ -103,7 +105,7 @@ Piece print_power(const Term& power, Style style) {
   const Term& base = power.arguments().front();
   const std::string exponent = style == Style::latex ? fmt::format("^{{{}}}", power.number().get_str())
                                                      : "^" + power.number().get_str();
-  const bool like_arccos = is_trigonometric(base) && power.number() < 0;
+  const bool like_arccos = is_elementary(base) && power.number() < 0;
   if (base.op() == Op::function && !like_arccos) {
     return {application(base, exponent, style), atom_binding};
   }

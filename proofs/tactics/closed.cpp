@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "proofs/kernel/entrywise.hpp"
+#include "proofs/tactics/slopes.hpp"
 
 namespace stickslip::proofs::tactics {
 
@@ -104,6 +105,8 @@ Theorem certainly(const Formula& formula) {
       return of_all(formula, certainly, formula);
     case Kind::disjunction:
       return of_one(formula, certainly, formula);
+    case Kind::exists:
+      return there_are_slopes(formula, without_hypotheses, certainly);
     default:
       throw KernelError("it is not decided at one point: " + to_string(formula));
   }
@@ -122,6 +125,8 @@ Theorem certainly_not(const Formula& formula) {
       return of_one(formula, certainly_not, negation(formula));
     case Kind::disjunction:
       return of_all(formula, certainly_not, negation(formula));
+    case Kind::exists:
+      return there_are_no_slopes(formula, certainly_not);
     default:
       throw KernelError("it is not decided at one point: " + to_string(formula));
   }
@@ -171,6 +176,9 @@ struct Floats {
   }
   [[nodiscard]] static Real sine(const Term& argument, auto& entries) {
     return std::sin(entries(argument)[0]);
+  }
+  [[nodiscard]] static Real exponential(const Term& argument, auto& entries) {
+    return std::exp(entries(argument)[0]);
   }
   [[nodiscard]] Reals atom(const Term& term, auto& entries) const {
     const std::vector<Term>& parts = term.parts();

@@ -9,9 +9,9 @@
 
 namespace stickslip::proofs::tactics {
 
-// The formula, made of relations between numbers and matrices by and, or, not. Throws KernelError where it is
-// false or not decided: it has a variable or a quantifier, two numbers are too close to tell, or are equal
-// and no normal form says so.
+// The formula, made of relations between numbers and matrices by and, or, not, and of rates (slopes.hpp).
+// Throws KernelError where it is false or not decided: it has a variable or another quantifier, two numbers
+// are too close to tell, or are equal and no normal form says so.
 [[nodiscard]] Theorem certainly(const Formula& formula);
 // Its negation.
 [[nodiscard]] Theorem certainly_not(const Formula& formula);

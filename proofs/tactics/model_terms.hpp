@@ -36,6 +36,7 @@ struct Symbolic {
   Symbolic& operator/=(const Symbolic& b) { return *this = *this / b; }
   friend Symbolic cos(const Symbolic& a) { return kernel::cos(a.term); }
   friend Symbolic sin(const Symbolic& a) { return kernel::sin(a.term); }
+  friend Symbolic exp(const Symbolic& a) { return kernel::exp(a.term); }
 };
 
 // A matrix of the model as a term.

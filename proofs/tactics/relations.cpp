@@ -21,10 +21,10 @@ bool is_wave(const Term& term) {
   return term.kind() == Kind::cosine || term.kind() == Kind::sine;
 }
 
-bool stands_in_wave(const Term& term, const Variable& x) {
-  return is_wave(term)
+bool is_bent_along(const Term& term, const Variable& x) {
+  return is_wave(term) || term.kind() == Kind::exponential
              ? term.variables().contains(x)
-             : std::ranges::any_of(term.parts(), [&](const Term& part) { return stands_in_wave(part, x); });
+             : std::ranges::any_of(term.parts(), [&](const Term& part) { return is_bent_along(part, x); });
 }
 
 Formula is_positive(const Term& a, bool strictly) {
@@ -114,13 +114,44 @@ const Theorem& distance_from_one(bool is_sine, bool above) {
   return lemmas.at((is_sine ? 2 : 0) + (above ? 1 : 0));
 }
 
+// u/v, where that is a number.
+std::optional<Rational> ratio(const Term& u, const Term& v) {
+  const auto quotient = attempt([&] { return Letters({u, v}).fraction(u / v); });
+  return quotient && is_constant(quotient->above) && is_constant(quotient->below)
+             ? std::optional(leading_coefficient(quotient->above) / leading_coefficient(quotient->below))
+             : std::nullopt;
+}
+
+// Exponentials whose arguments are whole multiples of another's as powers of that.
+Term in_powers(const Term& term) {
+  constexpr long highest = 16;
+  std::vector<Term> all = Letters({term}).terms();
+  std::erase_if(all, [](const Term& letter) { return letter.kind() != Kind::exponential; });
+  Term result = term;
+  Terms gone;
+  for (const Term& one : all) {
+    for (const Term& other : all) {
+      const auto times = other == one || gone.contains(one) || gone.contains(other)
+                             ? std::nullopt
+                             : ratio(other.parts()[0], one.parts()[0]);
+      if (times && times->get_den() == 1 && *times != 0 && abs(*times) <= highest) {
+        const long n = times->get_num().get_si();
+        result = replaced(result, other, n > 0 ? power(one, n) : inverse(power(one, -n)));
+        gone.insert(other);
+      }
+    }
+  }
+  return result;
+}
+
 class Search {
  public:
   // The inequality by its gap's numerator, and the sign of its denominator.
   Theorem decided(const Formula& goal, const Theorems& known, int depth = 4) {
     const bool strictly = goal.kind() == Kind::less;
-    const Letters letters({gap_of(goal)});
-    const auto [above, below] = letters.fraction(gap_of(goal));
+    const Term gap = in_powers(gap_of(goal));
+    const Letters letters({gap});
+    const auto [above, below] = letters.fraction(gap);
     const Term top = letters.term(above), bottom = letters.term(below);
     if (is_constant(below)) {
       const Theorem one = positive(top, strictly, known, depth);
@@ -182,6 +213,66 @@ class Search {
         facts.push_back(*sine);
       }
     }
+    std::vector<Term> all{a};
+    for (const Theorem& one : known) {
+      all.push_back(gap_of(one.conclusion()));
+    }
+    std::vector<Term> exponents;
+    const Letters all_letters(all);
+    for (const Term& letter : all_letters.terms()) {
+      if (letter.kind() == Kind::exponential) {
+        exponents.push_back(letter.parts()[0]);
+      }
+    }
+    add_exponentials(exponents, known, depth, facts);
+  }
+
+  // That they are positive, which are above or below 1, and which above which others: by the signs that are
+  // known of these exponents and of their differences.
+  void add_exponentials(const std::vector<Term>& exponents, const Theorems& known, int depth,
+                        Theorems& facts) {
+    for (const Term& u : exponents) {
+      facts.push_back(exponential_is_positive(u));
+      if (depth <= 1 || known.empty()) {
+        continue;
+      }
+      for (const bool above : {true, false}) {
+        if (const auto side = beside_one(u, above, known)) {
+          facts.push_back(*side);
+        }
+      }
+      for (const Term& v : exponents) {
+        const auto ratio = v == u ? std::nullopt : beside_one(u - v, true, known);
+        if (ratio) {
+          const bool strictly = ratio->conclusion().kind() == Kind::less;
+          facts.push_back(Theorem::order(is_positive(exp(u) - exp(v), strictly),
+                                         {Positive{{*ratio, exponential_is_positive(v)}}}));
+        }
+      }
+    }
+  }
+
+  // 0 < exp(u) - 1 or 0 < 1 - exp(u), or with ≤, where the sign of u is known.
+  std::optional<Theorem> beside_one(const Term& u, bool above, const Theorems& known) {
+    return first_that_works(std::array{true, false}, [&](bool strictly) {
+      const Theorem sign = decided(is_positive(above ? u : -u, strictly), known, 0);
+      return detach(Theorem::instantiate(beside_one(above, strictly), {{Variable{"v"}, u}}), sign);
+    });
+  }
+
+  // ⊢ 0 < v ⇒ 0 < exp(v) - 1, or 0 < -v ⇒ 0 < 1 - exp(v), and with ≤.
+  static const Theorem& beside_one(bool above, bool strictly) {
+    const auto lemma = [](bool is_above, bool strict) {
+      const Variable v{"v"};
+      const Formula sign = is_positive(is_above ? Term(v) : -v, strict);
+      const Formula side = is_above ? sign : strict ? less(v, 0) : at_most(v, 0);
+      const Theorem known = Theorem::order(side, {Positive{{Theorem::assume(sign)}}});
+      const Term away = is_above ? exp(v) - 1 : 1 - exp(v);
+      return Theorem::discharge(Search().positive(away, strict, {known}, 1), sign);
+    };
+    static thread_local const std::array lemmas{lemma(false, false), lemma(false, true), lemma(true, false),
+                                                lemma(true, true)};
+    return lemmas.at((above ? 2 : 0) + (strictly ? 1 : 0));
   }
 
   // 0 < w or 0 ≤ w, where w is the sine of x.
@@ -203,7 +294,7 @@ class Search {
           const std::vector<Term>& sides = one.conclusion().parts();
           const bool is_left = sides[0] == Term(x);
           const Term& end = sides[is_left ? 1 : 0];
-          if (!is_inequality(one.conclusion()) || !stands_in_wave(f, x) || is_left == (sides[1] == Term(x)) ||
+          if (!is_inequality(one.conclusion()) || !is_bent_along(f, x) || is_left == (sides[1] == Term(x)) ||
               end.variables().contains(x) || from_zero != seems_zero({substitute(f, {{x, end}})}, {})) {
             continue;
           }
@@ -394,7 +485,7 @@ Theorem inequality(const Formula& inequality, const std::vector<Theorem>& known)
       const auto is_on = [&](const Formula& side) {
         return attempt([&] { return search.decided(side, known, 0); });
       };
-      if (!stands_in_wave(inequality, x) || is_on(before) || is_on(after)) {
+      if (!is_bent_along(inequality, x) || is_on(before) || is_on(after)) {
         continue;
       }
       const auto on_side = [&](const Formula& side) {

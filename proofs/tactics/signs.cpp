@@ -29,6 +29,9 @@ Bounds bounds_of(const Term& x, const Domain& domain) {
     bounds.lower = Theorem::sign(less(0, pi()));
     return bounds;
   }
+  if (x.kind() == Kind::exponential) {
+    bounds.lower = exponential_is_positive(x.parts()[0]);
+  }
   for (const Theorem& known : domain) {
     if (known.conclusion().kind() != Kind::less) {
       continue;
@@ -237,6 +240,19 @@ Theorem inverse_is_positive(const Theorem& positive) {
   return Theorem::consequence({Theorem::discharge(absurd, wrong), Theorem::trichotomy(x, 0),
                                Theorem::sign(less(0, 1)), Theorem::trichotomy(1, 0)},
                               less(0, x));
+}
+
+Theorem exponential_is_positive(const Term& x) {
+  static thread_local const Theorem lemma = [] {  // a square, and not 0: times exp(-v) it is 1
+    const Variable v{"v"};
+    const Formula zero = equal(exp(v), 0);
+    const Theorem square = Theorem::order(at_most(0, exp(v)), {Positive{{}, 1, exp(v / 2)}});
+    const Theorem absurd = Theorem::combination(equal(1, 0), {{Theorem::assume(zero), exp(-v)}});
+    const Theorem different_from_0 = Theorem::consequence(
+        {Theorem::discharge(absurd, zero), different(Theorem::sign(less(0, 1)))}, negation(zero));
+    return Theorem::consequence({square, different_from_0, Theorem::trichotomy(exp(v), 0)}, less(0, exp(v)));
+  }();
+  return Theorem::instantiate(lemma, {{Variable{"v"}, x}});
 }
 
 Theorem positive(const Term& a, const Domain& domain) {

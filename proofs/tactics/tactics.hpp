@@ -140,6 +140,8 @@ using Lemma = std::function<std::optional<Theorem>(const Formula& hypothesis)>;
 // powers only is a hypothesis f ≠ 0.
 [[nodiscard]] Theorem positive(const Term& a, const Domain& domain);
 // 0 < d gives 0 < 1/d.
+// ⊢ 0 < exp(x).
+[[nodiscard]] Theorem exponential_is_positive(const Term& x);
 [[nodiscard]] Theorem inverse_is_positive(const Theorem& positive);
 
 // a² < b² and 0 ≤ b (or 0 < b) give a < b.

@@ -73,6 +73,8 @@ std::string to_string(const Term& term) {
       return of_parts("cos", term);
     case Kind::sine:
       return of_parts("sin", term);
+    case Kind::exponential:
+      return of_parts("exp", term);
     case Kind::matrix:
       return of_parts("matrix" + std::to_string(term.row()) + "x" + std::to_string(term.column()), term);
     case Kind::entry:

@@ -34,7 +34,7 @@ namespace {
 constexpr std::size_t longest_file = 4000000;
 
 // What the notation has for the symbols of every paper.
-constexpr std::array functions_of_all{"cos", "sin", "tan", "sign"};
+constexpr std::array functions_of_all{"cos", "sin", "tan", "exp", "sign"};
 
 // An entry, which begins in the first column, and the lines that are indented below it.
 struct Line {

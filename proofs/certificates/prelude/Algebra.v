@@ -169,6 +169,31 @@ Ltac expand_circle E C S :=
       pose proof (cos_is a x E) as C; pose proof (sin_is a x E) as S; cbv beta iota delta [cos_of sin_of] in C, S
   end.
 
+(* The same of exp, where a quarter and a turn are numbers as all others. *)
+Fixpoint exp_of (a : angle) : R :=
+  match a with
+  | Phase x => exp x
+  | Nothing => 1
+  | Quarter => exp (PI / 2)
+  | Turn => exp (2 * PI)
+  | Back a => / exp_of a
+  | Sum a b => exp_of a * exp_of b
+  end.
+Lemma exp_is : forall a x, x = size a -> exp x = exp_of a.
+Proof.
+  intros a x ->. induction a as [x| | | |a A|a A b B]; simpl; try reflexivity.
+  - exact exp_0.
+  - now rewrite exp_Ropp, A.
+  - now rewrite exp_plus, A, B.
+Qed.
+Lemma exp_differs : forall x, exp x <> 0.
+Proof. intros x E. pose proof (exp_pos x). lra. Qed.
+(* By `E : argument = sum of phases`, what exp of the argument is. *)
+Ltac expand_exponential E X :=
+  match type of E with
+  | ?x = ?y => let a := angle_of y in pose proof (exp_is a x E) as X; cbv beta iota delta [exp_of] in X
+  end.
+
 Lemma zero_of_sine : forall x, sin x = 0 -> exists k : Z, x = (IZR k + 0) * PI.
 Proof. intros x Z. destruct (sin_eq_0_0 x Z) as [k E]. exists k. rewrite E. ring. Qed.
 Lemma zero_of_cosine : forall x, cos x = 0 -> exists k : Z, x = (IZR k + / 2) * PI.

@@ -83,6 +83,8 @@ Proof.
 Qed.
 Lemma d_sin : forall f p u, derivative f p u -> derivative (fun t => sin (f t)) p (cos (f p) * u).
 Proof. intros. apply (d_comp sin f); [apply is_derive_sin|assumption]. Qed.
+Lemma d_exp : forall f p u, derivative f p u -> derivative (fun t => exp (f t)) p (exp (f p) * u).
+Proof. intros. apply (d_comp exp f); [apply is_derive_exp|assumption]. Qed.
 Lemma d_pow : forall f n p u, derivative f p u -> derivative (fun t => f t ^ n) p (INR n * u * f p ^ pred n).
 Proof. intros. now apply is_derive_pow. Qed.
 
@@ -95,6 +97,7 @@ Ltac derive :=
   | |- derivative (fun t => @?f t * @?g t) _ _ => eapply (d_mult f g); [derive | derive]
   | |- derivative (fun t => cos (@?f t)) _ _ => eapply (d_cos f); derive
   | |- derivative (fun t => sin (@?f t)) _ _ => eapply (d_sin f); derive
+  | |- derivative (fun t => exp (@?f t)) _ _ => eapply (d_exp f); derive
   | |- derivative (fun t => / @?f t) _ _ => eapply (d_inv f); [derive | cbv beta; nonzero]
   | |- derivative (fun t => @?f t ^ ?n) _ _ => eapply (d_pow f n); derive
   | D : forall j, derivative (?z j) ?p _ |- derivative (fun t => ?z ?k t) ?p _ => exact (D k)
@@ -365,6 +368,8 @@ Lemma c_cos : forall f a b, continuous_on f a b -> continuous_on (fun t => cos (
 Proof. intros. apply c_continuity; [apply continuity_cos | assumption]. Qed.
 Lemma c_sin : forall f a b, continuous_on f a b -> continuous_on (fun t => sin (f t)) a b.
 Proof. intros. apply c_continuity; [apply continuity_sin | assumption]. Qed.
+Lemma c_exp : forall f a b, continuous_on f a b -> continuous_on (fun t => exp (f t)) a b.
+Proof. intros. apply c_continuity; [apply derivable_continuous, derivable_exp | assumption]. Qed.
 Lemma c_pow : forall f n a b, continuous_on f a b -> continuous_on (fun t => f t ^ n) a b.
 Proof.
   intros f n a b C. induction n; [exact (c_const 1 a b)|]. exact (c_mult f (fun t => f t ^ n) a b C IHn).
@@ -378,6 +383,7 @@ Ltac continuous :=
   | |- continuous_on (fun t => @?f t * @?g t) _ _ => apply (c_mult f g); [continuous | continuous]
   | |- continuous_on (fun t => cos (@?f t)) _ _ => apply (c_cos f); continuous
   | |- continuous_on (fun t => sin (@?f t)) _ _ => apply (c_sin f); continuous
+  | |- continuous_on (fun t => exp (@?f t)) _ _ => apply (c_exp f); continuous
   | |- continuous_on (fun t => / @?f t) _ _ => apply (c_inv f); [continuous | cbv beta; intros; nonzero]
   | |- continuous_on (fun t => @?f t ^ ?n) _ _ => apply (c_pow f n); continuous
   | _ => eassumption

@@ -45,6 +45,7 @@ Definition number (z : Z) := Econst (Int z).
 Definition to_power (a : expr) (n : nat) := Eunary (PowerInt (Z.of_nat n)) a.
 Definition cosine (a : expr) := Eunary Cos a.
 Definition sine (a : expr) := Eunary Sin a.
+Definition exponential (a : expr) := Eunary Exp a.
 Definition modulus (a : expr) := Eunary Abs a.
 
 (* Differences and quotients, which have tighter bounds, or are computed sooner. *)
@@ -161,13 +162,14 @@ Qed.
 (* Of what is read and what is said, the former is to be computed. *)
 Strategy expand
   [eval nullary_real unary_real binary_real powerRZ eval_hyps eval_hyps_aux eval_hyp hypothesis assuming plus times
-   minus over opposite inverse number to_power cosine sine modulus].
+   minus over opposite inverse number to_power cosine sine exponential modulus].
 
 Ltac2 words () := [
   word constr:(Rmult) constr:(times) 2; word constr:(Rplus) constr:(plus) 2; word constr:(IZR) constr:(number) 0;
   word constr:(Rinv) constr:(inverse) 1; word constr:(cos) constr:(cosine) 1; word constr:(sin) constr:(sine) 1;
   word constr:(PI) constr:(Econst Pi) 0; word constr:(pow) constr:(to_power) 1; word constr:(Ropp) constr:(opposite) 1;
-  word constr:(Rminus) constr:(minus) 2; word constr:(Rdiv) constr:(over) 2; word constr:(Rabs) constr:(modulus) 1].
+  word constr:(Rminus) constr:(minus) 2; word constr:(Rdiv) constr:(over) 2; word constr:(Rabs) constr:(modulus) 1;
+  word constr:(exp) constr:(exponential) 1].
 Ltac2 no_letters () := { count := 0; found := []; letter := fun _ => Control.zero Not_found }.
 Ltac2 rec natural (k : int) : constr := if Int.equal k 0 then constr:(O) else applied constr:(S) [natural (Int.sub k 1)].
 Ltac2 places (xs : 'a list) : constr list := List.mapi (fun k _ => applied constr:(Evar) [natural k]) xs.

@@ -24,6 +24,9 @@ TEST_CASE("what holds on the circle holds exactly at every point") {
     CHECK(equal(cos(-b), cos(b)));
     CHECK(equal(sin(2 * b), 2 * sin(b) * cos(b)));
     CHECK(equal(cos(a - a), 1));
+    CHECK(equal(exp(a + b), exp(a) * exp(b)));
+    CHECK(equal(exp(-b) * exp(b / 2) * exp(b / 2), 1));
+    CHECK(equal(exp(a - a), 1));
   }
 }
 
@@ -35,6 +38,9 @@ TEST_CASE("what does not hold fails at every point tried") {
     CHECK_FALSE(equal(sin(a + b), sin(a) * cos(b) - cos(a) * sin(b)));
     CHECK_FALSE(equal(cos(a), cos(b)));
     CHECK_FALSE(equal(t, point.symbol("s")));
+    CHECK_FALSE(equal(exp(a), exp(2 * a)));
+    CHECK_FALSE(equal(exp(a), exp(b)));
+    CHECK_FALSE(equal(exp(a), 1 + a));
     CHECK_FALSE(equal(point.symbol("pi"), Exact(Rational(22, 7))));
   }
 }
@@ -54,6 +60,9 @@ TEST_CASE("what has no exact value says so, and nothing is divided by zero") {
   CHECK_THROWS_AS((void)sin(t / 3), NoExactValue);
   CHECK_THROWS_AS((void)sin(cos(t)), NoExactValue);
   CHECK_THROWS_AS((void)sin(Exact(1)), NoExactValue);
+  CHECK_THROWS_AS((void)exp(t / 3), NoExactValue);
+  CHECK_THROWS_AS((void)exp(exp(t)), NoExactValue);
+  CHECK_THROWS_AS((void)exp(Exact(1)), NoExactValue);
   CHECK_THROWS_AS((void)(t / (t - t)), ZeroDivision);
   CHECK(equal(sin(Exact(0)), 0));
 }

@@ -105,6 +105,44 @@ TEST_CASE("the normal form knows sine and cosine, and no more than is true") {
       Theorem::combination(equal(apply(f, power(cos(X), 2) + power(sin(X), 2)), apply(f, 1)))));
 }
 
+TEST_CASE("the normal form knows exponentials, and no more than is true") {
+  const Term X = x, Y = y;
+  const auto is_proved = [](const Term& left, const Term& right) {
+    CHECK(Theorem::combination(equal(left, right)).hypotheses().empty());
+  };
+  is_proved(exp(X + Y), exp(X) * exp(Y));
+  is_proved(exp(-X) * exp(X), 1);
+  is_proved(1 / exp(X), exp(-X));
+  is_proved(exp(X / 2 - Y / 3), exp(X / 6) * exp(X / 3) / (exp(Y / 6) * exp(Y / 6)));
+  is_proved(exp(Term(0)), 1);
+  is_proved(exp(Term(Rational(3, 2))) * exp(Term(Rational(1, 2))), exp(Term(2)));
+  is_proved(exp(pi() / 2) * exp(pi() / 2), exp(pi()));
+  is_proved(exp(X * Y) * cos(X * Y), cos(-X * Y) / exp(-(Y * X)));
+  is_proved(X / (3 * pi() * exp(X)) * exp(X) * 3 * pi(), X);
+  REFUSES(Theorem::combination(equal(exp(X), 1)));
+  REFUSES(Theorem::combination(equal(exp(X), exp(-X))));
+  REFUSES(Theorem::combination(equal(exp(X + Y), exp(X) + exp(Y))));
+  REFUSES(Theorem::combination(equal(exp(X * Y), exp(X) * exp(Y))));
+  REFUSES(Theorem::combination(equal(exp(2 * X), 2 * exp(X))));
+  REFUSES(Theorem::combination(equal(exp(X), cos(X) + sin(X))));
+  REFUSES(Theorem::combination(equal(exp(2 * pi()), 1)));
+  REFUSES(Theorem::combination(equal(exp(pi() / 2), 1)));
+  REFUSES(Theorem::combination(equal(exp(Term(1)), Rational(19, 7))));
+  REFUSES(Theorem::combination(equal(exp(exp(X)), exp(X))));
+  REFUSES(Theorem::combination(equal(apply(f, exp(X)), apply(f, exp(Y)))));
+  REFUSES(exp(Term(M)));
+  // What stands in the exponent divides; what is an exponential less something may be zero.
+  const auto needs = [](const Formula& equation, const Formula& divisor) {
+    return Theorem::combination(equation).hypotheses().contains(divisor);
+  };
+  CHECK(needs(equal(exp(X / Y) * exp(-X / Y), 1), differ(Y, 0)));
+  CHECK(needs(equal(1 / (exp(X) - 1) * (exp(X) - 1), 1), differ(exp(X) - 1, 0)));
+  CHECK(needs(equal(1 / (X * exp(X)) * X * exp(X), 1), differ(X * exp(X), 0)));
+  CHECK(needs(equal(1 / (exp(X) / Y) * exp(X), Y), differ(exp(X) / Y, 0)));
+  CHECK(needs(equal(1 / (exp(X) * cos(X)) * exp(X) * cos(X), 1), differ(exp(X) * cos(X), 0)));
+  REFUSES(Theorem::combination(equal(1 / (exp(X) * exp(-X) - 1), 0)));
+}
+
 TEST_CASE("order: signs and strictness") {
   const Theorem weak = assume(at_most(0, x)), strict = assume(less(0, y)), lower = assume(less(x, 0));
   REFUSES(Theorem::order(less(0, x), {{{weak}}}));

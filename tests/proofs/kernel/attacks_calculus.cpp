@@ -36,6 +36,9 @@ TEST_CASE("differentiation") {
   CHECK_NOTHROW(static_cast<void>(value_is(power(T, 3), 3 * power(T, 2))));
   CHECK_NOTHROW(static_cast<void>(value_is(sin(2 * T), 2 * cos(2 * T))));
   CHECK_NOTHROW(static_cast<void>(value_is(1 / T, -1 / power(T, 2))));
+  CHECK_NOTHROW(static_cast<void>(value_is(exp(-power(T, 2)), -2 * T * exp(-power(T, 2)))));
+  REFUSES(value_is(exp(2 * T), exp(2 * T)));
+  REFUSES(value_is(exp(T), T * exp(T)));
   REFUSES(value_is(sin(2 * T), cos(2 * T)));
   REFUSES(value_is(power(T, 2), T));
   REFUSES(value_is(cos(T), sin(T)));
@@ -96,6 +99,9 @@ TEST_CASE("continuity") {
         Formulas{for_all(t, implies(within(-1, t, 1), differ(t, 0)))});
   CHECK(Theorem::continuity(lambda(t, tan(t)), a, b).hypotheses() ==
         Formulas{for_all(t, implies(within(a, t, b), differ(cos(t), 0)))});
+  CHECK(Theorem::continuity(lambda(t, exp(-Term(t))), a, b).hypotheses().empty());
+  CHECK(Theorem::continuity(lambda(t, exp(1 / Term(t))), a, b).hypotheses() ==
+        Formulas{for_all(t, implies(within(a, t, b), differ(t, 0)))});
   REFUSES(Theorem::continuity(f, a, b));
   REFUSES(Theorem::continuity(f, a, b, {assume(continuous(g, a, b))}));
   REFUSES(Theorem::continuity(f, a, b, {assume(continuous(f, a, c))}));

@@ -108,6 +108,47 @@ TEST_CASE("an inequality is followed along a variable in a sine or cosine") {
   CHECK(truth_of("cos(a) > cos(b)", {"0 < a", "a < b < 4"}, {"a", "b"}) != Truth::proved);
 }
 
+TEST_CASE("exponentials: identities, derivatives, inequalities") {
+  const std::vector<std::string> own{"a", "b", "w", "x", "y", "zeta"};
+  const auto truth = [&](const std::string& line, const std::vector<std::string>& assumptions = {}) {
+    return truth_of(line, assumptions, own);
+  };
+  CHECK(truth("exp(x + y) = exp(x) exp(y)") == Truth::proved);
+  CHECK(truth("1/(exp(x) + 1) + 1/(exp(-x) + 1) = 1") == Truth::proved);
+  CHECK(record_of({"1/(exp(x) + 1) + 1/(exp(-x) + 1) = 1", {}, own}).outcome.hypotheses.empty());
+  CHECK(truth("exp(x) != 0") == Truth::proved);
+  CHECK(truth("d/dt[1/(1 + exp(-t))] = exp(-t)/(1 + exp(-t))^2") == Truth::proved);
+  // The free motion of a damped oscillator.
+  const std::string motion = "exp(-zeta t) (a cos(w t) + b sin(w t))";
+  const std::string equation = "d^2/dt^2[" + motion + "] + 2 zeta d/dt[" + motion + "] + " + motion + " = 0";
+  CHECK(truth(equation, {"w^2 = 1 - zeta^2"}) == Truth::proved);
+  CHECK(truth(equation, {"w^2 = 1 + zeta^2"}) != Truth::proved);
+  CHECK(truth(equation) != Truth::proved);
+  CHECK(truth("exp(-zeta (t + 2 pi/w)) < exp(-zeta t)", {"zeta > 0", "w > 0"}) == Truth::proved);
+  // Along a variable, and beside 1.
+  CHECK(truth("exp(x) >= 1 + x") == Truth::proved);
+  CHECK(truth("exp(x) > x^2/2", {"x > 0"}) == Truth::proved);
+  CHECK(truth("exp(x) <= 1/(1 - x)", {"0 <= x", "x < 1"}) == Truth::proved);
+  CHECK(truth("exp(a) < exp(b)", {"a < b"}) == Truth::proved);
+  CHECK(truth("exp(x) + exp(-x) >= 2") == Truth::proved);
+  CHECK(truth("exp(3 x) > exp(x)", {"x > 0"}) == Truth::proved);
+  CHECK(truth("exp(-zeta t) cos(w t) <= 1", {"zeta >= 0", "t >= 0"}) == Truth::proved);
+  CHECK(truth("d/dt[x exp(-t)] <= 0", {"x >= 0"}) == Truth::proved);
+  CHECK(truth("2.718 < exp(1) < 2.719") == Truth::proved);
+  // False at an end, beyond it, or where an assumption is missing.
+  CHECK(truth("exp(x) > 1 + x") == Truth::refuted);
+  CHECK(truth("exp(x) >= 1 + 101 x/100") != Truth::proved);
+  CHECK(truth("exp(x) < 1") == Truth::refuted);
+  CHECK(truth("exp(a) <= exp(b)", {"a <= b + 1/10"}) != Truth::proved);
+  CHECK(truth("exp(x) <= 1/(1 - x)") != Truth::proved);
+  CHECK(truth("exp(-zeta t) cos(w t) <= 1", {"zeta >= 0"}) != Truth::proved);
+  CHECK(truth("d/dt[x exp(-t)] <= 0") != Truth::proved);
+  CHECK(truth("exp(x)^2 = exp(3 x)") == Truth::refuted);
+  CHECK(truth("exp(1) = 2.7182818") == Truth::refuted);
+  CHECK(reason_of({"d/dt[1/t] = -1/t^2", {"t > 0"}, {}}) ==
+        "a derivative is one at all times, and here it divides by t");
+}
+
 TEST_CASE("what is a factor of zero is zero where the others are not") {
   const std::vector<std::string> own{"a", "b", "x"};
   CHECK(truth_of("x = 2", {"x^2 = 4", "x > 0"}, own) == Truth::proved);

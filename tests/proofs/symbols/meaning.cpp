@@ -44,6 +44,9 @@ struct There {
     return cos(entries(argument)[0]);
   }
   static Ball sine(const proofs::kernel::Term& argument, auto& entries) { return sin(entries(argument)[0]); }
+  static Ball exponential(const proofs::kernel::Term& argument, auto& entries) {
+    return exp(entries(argument)[0]);
+  }
   static std::vector<Ball> atom(const proofs::kernel::Term& term, auto& entries) {
     return term.kind() == proofs::kernel::Kind::defined ? entries(term.definition().unfolded(term.parts()))
                                                         : std::vector<Ball>{at_point(point())(term.name())};
@@ -86,7 +89,8 @@ TEST_CASE("every symbol that has a meaning means the same to both engines") {
 
 TEST_CASE("every operation means the same to both engines") {
   for (const Term& term : {H(t) * (Z0 - F0) + F(t) + 2 * L(t) * d0, determinant(H(t)), inverse(H2(t)) * H1(t),
-                           power(H1(t - s), 3), -H1(t) / omega, block(2, {H1(t), zero(2, 2), H2(t), I2})}) {
+                           power(H1(t - s), 3), -H1(t) / omega, block(2, {H1(t), zero(2, 2), H2(t), I2}),
+                           exp(-chi * t) * sin(t)}) {
     both_engines_agree(term);
   }
 }
@@ -110,4 +114,7 @@ TEST_CASE("a motion has no meaning by itself, and derivatives of any order are e
   const Ball third = evaluate<Ball>(derivative(derivative(derivative(sin(2 * t)))), here)(0, 0);
   CHECK(third.overlaps(evaluate<Ball>(-8 * cos(2 * t), here)(0, 0)));
   CHECK_FALSE(third.overlaps(evaluate<Ball>(8 * cos(2 * t), here)(0, 0)));
+  const Ball decay = evaluate<Ball>(derivative(derivative(exp(-3 * t) * t)), here)(0, 0);
+  CHECK(decay.overlaps(evaluate<Ball>((9 * t - 6) * exp(-3 * t), here)(0, 0)));
+  CHECK_FALSE(decay.overlaps(evaluate<Ball>((9 * t + 6) * exp(-3 * t), here)(0, 0)));
 }
