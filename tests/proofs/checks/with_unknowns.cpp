@@ -73,7 +73,8 @@ TEST_CASE("what is linear in unknowns has their values by its constant and its s
 }
 
 TEST_CASE("what has no unknown is the same everywhere, and a product of two is told where one of them is 1") {
-  for (const WithUnknowns& entry : value_of(H(tau) * F0).reshaped()) {
+  const Value<WithUnknowns> flown = value_of(H(tau) * F0);
+  for (const WithUnknowns& entry : flown.reshaped()) {
     CHECK(entry.at_one.empty());
   }
   CHECK(value_of(delta0)(0, 0).at_one.size() == 1);  // us
