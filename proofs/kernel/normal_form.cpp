@@ -39,14 +39,6 @@ struct Phase {
 };
 using Phases = std::vector<Phase>;
 
-// The largest number of which both are whole multiples.
-Rational common_unit(const Rational& a, const Rational& b) {
-  const Integer numerator = gcd(Integer(a.get_num() * b.get_den()), Integer(b.get_num() * a.get_den()));
-  Rational unit(numerator, Integer(a.get_den() * b.get_den()));
-  unit.canonicalize();
-  return unit;
-}
-
 // The argument of a cos, sin or exp: quarter turns, and for each phase its rational coefficient.
 struct Angle {
   Integer quarters = 0;
@@ -223,12 +215,15 @@ class Atoms {
   Angles angles_, exponents_;
 };
 
-bool has_exponential(const Term& term) {
-  return term.kind() == Kind::exponential || std::ranges::any_of(term.parts(), has_exponential);
+// Each part is looked at once.
+bool has_exponential(const Term& term, Terms& seen) {
+  return seen.insert(term).second &&
+         (term.kind() == Kind::exponential ||
+          std::ranges::any_of(term.parts(), [&](const Term& part) { return has_exponential(part, seen); }));
 }
 
 bool is_never_zero(const Term& term) {
-  if (!term.variables().empty() && !has_exponential(term)) {
+  if (Terms seen; !term.variables().empty() && !has_exponential(term, seen)) {
     return false;
   }
   try {
@@ -255,6 +250,13 @@ void collect(const Term& term, Terms& seen, Formulas& found) {
 }
 
 }  // namespace
+
+Rational common_unit(const Rational& a, const Rational& b) {
+  const Integer numerator = gcd(Integer(a.get_num() * b.get_den()), Integer(b.get_num() * a.get_den()));
+  Rational unit(numerator, Integer(a.get_den() * b.get_den()));
+  unit.canonicalize();
+  return unit;
+}
 
 bool vanishes(const Term& term) {
   const Atoms atoms(term);

@@ -160,16 +160,24 @@ Theorem known_to_say(Derivation& derivation, const Formula& formula, std::string
   throw KernelError(assumes_more.empty() ? "no claim says it" : assumes_more);
 }
 
+// What is divided by is looked at, too.
+Outcome searched(const std::string& route, Prover& prover, const Claim& claim,
+                 const std::function<Theorem(Derivation&, std::size_t)>& work) {
+  return derived(route, prover, claim, [&](Derivation& derivation, std::size_t which) {
+    derivation.look_for_signs();
+    return work(derivation, which);
+  });
+}
+
 // The methods, of a claim with one printed statement.
 Outcome by_itself_alone(Prover& prover, const Claim& claim) {
   const bool is_equation = claim.printed.front().relation == symbols::Relation::equal;
-  return derived(is_equation ? "both sides have the same normal form, for all values of the symbols"
-                             : "the sign of the difference of both sides, for all values of the symbols",
-                 prover, claim, [](Derivation& derivation, std::size_t which) {
-                   derivation.hurry();
-                   derivation.look_for_signs();
-                   return directly(derivation, derivation.printed(which));
-                 });
+  return searched(is_equation ? "both sides have the same normal form, for all values of the symbols"
+                              : "the sign of the difference of both sides, for all values of the symbols",
+                  prover, claim, [](Derivation& derivation, std::size_t which) {
+                    derivation.hurry();
+                    return directly(derivation, derivation.printed(which));
+                  });
 }
 
 Outcome with_equations_put_in(Prover& prover, const Claim& claim) {
@@ -177,12 +185,11 @@ Outcome with_equations_put_in(Prover& prover, const Claim& claim) {
   Outcome best;
   bool exhausted = false;
   for (std::size_t choice = 0; choice < most_choices && !exhausted; ++choice) {
-    Outcome outcome = derived("with the equations that are assumed put in", prover, claim,
-                              [&](Derivation& derivation, std::size_t which) {
-                                derivation.hurry();
-                                derivation.look_for_signs();
-                                return put_in(derivation, derivation.printed(which), choice, exhausted);
-                              });
+    Outcome outcome = searched("with the equations that are assumed put in", prover, claim,
+                               [&](Derivation& derivation, std::size_t which) {
+                                 derivation.hurry();
+                                 return put_in(derivation, derivation.printed(which), choice, exhausted);
+                               });
     const bool proved = outcome.verdict.truth == Truth::proved;
     if (best.verdict.truth != Truth::proved ||
         (proved && outcome.hypotheses.size() < best.hypotheses.size())) {
@@ -196,11 +203,10 @@ Outcome with_equations_put_in(Prover& prover, const Claim& claim) {
 }
 
 Outcome as_combination(Prover& prover, const Claim& claim) {
-  return derived("a combination of the equations that are assumed", prover, claim,
-                 [](Derivation& derivation, std::size_t which) {
-                   derivation.look_for_signs();
-                   return derivation.combined(derivation.printed(which));
-                 });
+  return searched("a combination of the equations that are assumed", prover, claim,
+                  [](Derivation& derivation, std::size_t which) {
+                    return derivation.combined(derivation.printed(which));
+                  });
 }
 
 // What takes long: for what has no counterexample nearby.
@@ -212,13 +218,13 @@ Outcome by_search(Prover& prover, const Claim& claim) {
     outcome.verdict = Verdict::undecided("it fails at a point, as far as floating point can tell");
     return outcome;
   }
-  return derived(is_equation ? "what is known leaves no other value"
-                             : "the sign of the difference of both sides, for all values of the symbols",
-                 prover, claim, [](Derivation& derivation, std::size_t which) {
-                   const Formula formula = derivation.printed(which);
-                   return is_equation_of_numbers(formula) ? derivation.related(formula)
-                                                          : directly(derivation, formula);
-                 });
+  return searched(is_equation ? "what is known leaves no other value"
+                              : "the sign of the difference of both sides, for all values of the symbols",
+                  prover, claim, [](Derivation& derivation, std::size_t which) {
+                    const Formula formula = derivation.printed(which);
+                    return is_equation_of_numbers(formula) ? derivation.related(formula)
+                                                           : directly(derivation, formula);
+                  });
 }
 
 // With the assumed equations as rules, for matrices whose order matters.

@@ -340,10 +340,11 @@ Formula Reader::operator()(const symbols::Statement& statement) {
     const Term from = (*this)(statement.during->from), to = (*this)(statement.during->to);
     symbols::Statement here = statement;
     here.during = std::nullopt;
-    const Formula then =
-        statement.during->almost
-            ? finite(time, kernel::all({between(from, time, to), negation(with_signs(here))}))
-            : for_all(time, implies(between(from, time, to), at_one_time(here)));
+    const bool almost = statement.during->almost;
+    const Formula inside = between(from, time, to),
+                  said = almost ? negation(with_signs(here)) : at_one_time(here),
+                  then = almost ? finite(time, kernel::all({inside, said}))
+                                : for_all(time, implies(inside, said));
     if (from.variables().contains(time) || to.variables().contains(time)) {
       throw NoValue("the ends of an interval depend on the time: " + text(statement));
     }

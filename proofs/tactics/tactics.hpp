@@ -139,9 +139,9 @@ using Lemma = std::function<std::optional<Theorem>(const Formula& hypothesis)>;
 // 0 < a, as a product of powers of irreducible factors whose sign the domain gives; what occurs to even
 // powers only is a hypothesis f ≠ 0.
 [[nodiscard]] Theorem positive(const Term& a, const Domain& domain);
-// 0 < d gives 0 < 1/d.
 // ⊢ 0 < exp(x).
 [[nodiscard]] Theorem exponential_is_positive(const Term& x);
+// 0 < d gives 0 < 1/d.
 [[nodiscard]] Theorem inverse_is_positive(const Theorem& positive);
 
 // a² < b² and 0 ≤ b (or 0 < b) give a < b.

@@ -63,6 +63,23 @@ TEST_CASE("a ball's text covers the ball") {
                                                           : digits == 3 ? "0.001"
                                                                         : "1e-10"));
   }
+  // Beyond the exponents that are read back.
+  const auto value = [](const std::string& text) {
+    const std::size_t at = text.find('e');
+    const long exponent = std::stol(text.substr(at + 1));
+    mpz_class power;
+    mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent)));
+    const Rational mantissa = parse_decimal(text.substr(0, at)).value;
+    return Rational(exponent < 0 ? Rational(mantissa / power) : Rational(mantissa * power));
+  };
+  for (const long exponent : {30000L, -30000L}) {
+    const Ball far = exp(Ball(exponent));
+    const BallText text = to_text(far, 10);
+    CAPTURE(text.mid);
+    const Rational mid = value(text.mid), rad = value(text.rad);
+    CHECK(Ball::from_interval(mid - rad, mid + rad).contains(far));
+    CHECK(rad < mid / 10000000);
+  }
   CHECK(to_text(Ball(0)).rad == "0");
   CHECK(to_text(Ball(0)).mid == "0");
 }

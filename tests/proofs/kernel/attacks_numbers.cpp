@@ -161,6 +161,12 @@ TEST_CASE("numbers that neither FLINT nor the stack can take") {
     }
     return deep;
   }());
+  // A term that is short because its parts are shared: each is looked at once.
+  Term doubled = x;
+  for (int i = 0; i < 60; ++i) {
+    doubled = doubled + doubled;
+  }
+  CHECK(Theorem::combination(equal(doubled / doubled, 1)).hypotheses() == Formulas{differ(doubled, 0)});
   // Too many terms.
   std::vector<Term> letters;
   for (int i = 0; i < 12; ++i) {
