@@ -4,10 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "proofs/certificates/coq_terms.hpp"
-#include "proofs/kernel/normal_form.hpp"
 #include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::certificates {
@@ -177,7 +175,14 @@ class Divisors {
 
 // The largest number of which all are whole multiples.
 Rational common_unit(const std::set<Rational>& numbers) {
-  return std::accumulate(numbers.begin(), numbers.end(), Rational(0), kernel::common_unit);
+  mpz_class numerator, divisor = 1;
+  for (const Rational& one : numbers) {
+    numerator = gcd(numerator, one.get_num());
+    divisor = lcm(divisor, one.get_den());
+  }
+  Rational unit(numerator, divisor);
+  unit.canonicalize();
+  return unit;
 }
 Rational unit_of(const Rational& number, const Numbers& numbers) {
   const auto of = std::ranges::find_if(

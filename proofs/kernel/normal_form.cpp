@@ -154,7 +154,7 @@ class Atoms {
       if (known == phases.end()) {
         phases.push_back({monomial, abs(coefficient)});
       } else {
-        known->unit = common_unit(known->unit, coefficient);
+        known->unit /= Rational(coefficient / known->unit).get_den();  // both are whole multiples
       }
     }
     return result;
@@ -250,13 +250,6 @@ void collect(const Term& term, Terms& seen, Formulas& found) {
 }
 
 }  // namespace
-
-Rational common_unit(const Rational& a, const Rational& b) {
-  const Integer numerator = gcd(Integer(a.get_num() * b.get_den()), Integer(b.get_num() * a.get_den()));
-  Rational unit(numerator, Integer(a.get_den() * b.get_den()));
-  unit.canonicalize();
-  return unit;
-}
 
 bool vanishes(const Term& term) {
   const Atoms atoms(term);

@@ -21,9 +21,6 @@ namespace stickslip::proofs::kernel {
 // numeric.
 [[nodiscard]] bool vanishes(const Term& term);
 
-// The largest number of which both are whole multiples; not both are zero.
-[[nodiscard]] Rational common_unit(const Rational& a, const Rational& b);
-
 // The formulas d ≠ 0 for everything that the term inverts, as it is written: in the arguments of atoms, of
 // cos, sin and exp and in entries never asked for too; of a matrix the determinant. Not for what is a nonzero
 // rational multiple of powers of π and of exponentials. Nothing under a binder is looked at, for the normal

@@ -96,7 +96,7 @@ Theorem Derivation::with_fewest_given(const Problem& problem, const Rule& rule) 
 // What is to be zero for the rules order and combination: the difference of the sides, less what it is to be.
 std::vector<Term> Derivation::residual(const Problem& problem) {
   const bool equation = problem.goal.kind() == kernel::Kind::equal;
-  const std::vector<Term>& sides = problem.goal.parts();
+  const std::vector<Term>& sides = tactics::sides_of(problem.goal);
   std::vector<Term> parts{sides[equation ? 0 : 1], -sides[equation ? 1 : 0]};
   for (const Multiple& multiple : problem.multiples) {
     parts.push_back(multiple.left * gap_of(multiple.equation.conclusion()) * multiple.right);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "proofs/tactics/almost_always.hpp"
+#include "proofs/tactics/text.hpp"
 
 namespace stickslip::proofs::tactics {
 
@@ -20,8 +21,16 @@ bool is_inequality(const Formula& formula) {
   return formula.kind() == Kind::less || formula.kind() == Kind::at_most;
 }
 
+const std::vector<Term>& sides_of(const Formula& relation) {
+  if (relation.kind() != Kind::equal && !is_inequality(relation)) {
+    throw KernelError("it has no two sides to be compared: " + to_string(relation));
+  }
+  return relation.parts();
+}
+
 Term gap_of(const Formula& relation) {
-  return relation.parts()[1] - relation.parts()[0];
+  const std::vector<Term>& sides = sides_of(relation);
+  return sides[1] - sides[0];
 }
 
 Term unit(int rows, int columns, std::size_t place) {

@@ -32,7 +32,8 @@ using Domain = std::vector<Theorem>;
 // ---- Terms
 // a < b or a ≤ b.
 [[nodiscard]] bool is_inequality(const Formula& formula);
-// b - a for a = b, a < b or a ≤ b.
+// a and b, and b - a, for a = b, a < b or a ≤ b. Throw KernelError for any other formula.
+[[nodiscard]] const std::vector<Term>& sides_of(const Formula& relation);
 [[nodiscard]] Term gap_of(const Formula& relation);
 // The terms and the parts of their parts, each once, a whole before its parts: these only where `visit` says
 // true of the whole.
