@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 
 #ifdef STICKSLIP_HAS_MPI
 #include <mpi.h>
@@ -184,6 +185,7 @@ void Cluster::work_on_all(const Question& q, const std::vector<Tile>& tiles,
   std::atomic<bool> failed = false;
   std::exception_ptr failure;
   std::jthread worker([&] {
+    const NumbersOfThread numbers;
     try {
       for (;;) {
         const std::optional<Tile> tile = queue.take(stop());

@@ -1,6 +1,7 @@
 // Independent pieces of work on several threads. What comes out does not depend on how many there are.
 #pragma once
 
+#include <flint/flint.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
@@ -20,6 +21,16 @@ class Jobs {
 
  private:
   tbb::global_control limit_;
+};
+
+// The first thing in a thread that one starts oneself: when the thread ends, FLINT gives back what it kept
+// for it. Numbers made there may live on.
+class NumbersOfThread {
+ public:
+  NumbersOfThread() = default;
+  NumbersOfThread(const NumbersOfThread&) = delete;
+  NumbersOfThread& operator=(const NumbersOfThread&) = delete;
+  ~NumbersOfThread() { flint_cleanup(); }
 };
 
 // f(0), …, f(n - 1) in this order, each at the caller's working precision, possibly at the same time. Throws

@@ -9,6 +9,7 @@
 #include "core/ball.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/parallel.hpp"
 #include "proofs/checks/cross_check.hpp"
 #include "proofs/checks/mutants.hpp"
 #include "proofs/checks/premises.hpp"
@@ -214,6 +215,7 @@ void Prover::begin(const std::vector<std::string>& ids) {
   const long bits = WorkingPrecision::bits();
   for (std::size_t k = 1; k < threads; ++k) {
     others_.emplace_back([this, ids, here, bits](const std::stop_token& stop) {
+      const NumbersOfThread numbers;
       const InVocabulary names(here);
       const WorkingPrecision precision(bits);
       while (!stop.stop_requested() && !interrupted()) {
