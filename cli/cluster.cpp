@@ -185,7 +185,7 @@ void Cluster::work_on_all(const Question& q, const std::vector<Tile>& tiles,
   std::atomic<bool> failed = false;
   std::exception_ptr failure;
   std::jthread worker([&] {
-    const NumbersOfThread numbers;
+    give_numbers_back_at_end();
     try {
       for (;;) {
         const std::optional<Tile> tile = queue.take(stop());

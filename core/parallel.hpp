@@ -23,15 +23,17 @@ class Jobs {
   tbb::global_control limit_;
 };
 
-// The first thing in a thread that one starts oneself: when the thread ends, FLINT gives back what it kept
-// for it. Numbers made there may live on.
-class NumbersOfThread {
- public:
-  NumbersOfThread() = default;
-  NumbersOfThread(const NumbersOfThread&) = delete;
-  NumbersOfThread& operator=(const NumbersOfThread&) = delete;
-  ~NumbersOfThread() { flint_cleanup(); }
-};
+// For the first line of what a thread of one's own does: when the thread ends, and all that it kept is gone,
+// FLINT gives back what it kept for it. Numbers made there may live on.
+inline void give_numbers_back_at_end() {
+  struct Cleanup {
+    Cleanup() = default;
+    Cleanup(const Cleanup&) = delete;
+    Cleanup& operator=(const Cleanup&) = delete;
+    ~Cleanup() { flint_cleanup(); }
+  };
+  thread_local const Cleanup first_made_and_last_gone;
+}
 
 // f(0), …, f(n - 1) in this order, each at the caller's working precision, possibly at the same time. Throws
 // what one of them throws.

@@ -215,7 +215,7 @@ void Prover::begin(const std::vector<std::string>& ids) {
   const long bits = WorkingPrecision::bits();
   for (std::size_t k = 1; k < threads; ++k) {
     others_.emplace_back([this, ids, here, bits](const std::stop_token& stop) {
-      const NumbersOfThread numbers;
+      give_numbers_back_at_end();
       const InVocabulary names(here);
       const WorkingPrecision precision(bits);
       while (!stop.stop_requested() && !interrupted()) {

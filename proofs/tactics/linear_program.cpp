@@ -12,10 +12,16 @@ namespace {
 
 constexpr int most_steps = 1000;
 
+// GLPK has one for each thread that uses it.
+struct Environment {
+  ~Environment() { glp_free_env(); }
+};
+
 // The columns of a basis at which the sum of those wanted is largest.
 std::optional<std::vector<std::size_t>> proposed_basis(const std::vector<Column>& columns,
                                                        const Column& right,
                                                        const std::set<std::size_t>& wanted) {
+  thread_local const Environment environment;
   const std::unique_ptr<glp_prob, decltype(&glp_delete_prob)> program(glp_create_prob(), glp_delete_prob);
   glp_set_obj_dir(program.get(), GLP_MAX);
   glp_add_rows(program.get(), static_cast<int>(right.size()));
