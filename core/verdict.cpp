@@ -36,8 +36,12 @@ namespace {
 // Ten, and more where these say the same of two numbers that are not.
 int digits_for(const Ball& one, const Ball& other) {
   const auto middle = [](const Ball& ball, int digits) {
-    const std::string text = to_string(ball, digits);
-    return text.substr(0, text.find(' '));
+    std::string text = to_string(ball, digits);
+    text = text.substr(0, text.find(' '));
+    if (text.find('.') != std::string::npos) {  // 1.000 says the same as 1
+      text.erase(text.find_last_not_of('0') + 1);
+    }
+    return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
   };
   int digits = 10;
   while (digits < 1000 && !one.overlaps(other) && middle(one, digits) == middle(other, digits)) {
