@@ -10,6 +10,7 @@
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
+#include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/meaning.hpp"
 
 namespace stickslip::proofs::checks {
@@ -22,6 +23,11 @@ namespace {
 // A wrong inequality may still hold at most points.
 constexpr std::size_t points_for_equations = 2, points_for_inequalities = 40;
 
+Claim saying(Claim claim, const std::vector<Statement>& statements) {
+  claim.printed = statements;
+  return with_roots(std::move(claim));
+}
+
 // A claim that is proved, and what it takes to put another statement to its proof.
 struct Subject {
   Prover& prover;
@@ -32,9 +38,9 @@ struct Subject {
 
   // Throws what the proof throws.
   [[nodiscard]] Verdict verdict_on(std::size_t which, const Statement& statement) const {
-    Claim changed = record.claim;
-    changed.printed = form();
-    changed.printed[which] = statement;
+    std::vector<Statement> statements = form();
+    statements[which] = statement;
+    const Claim changed = saying(record.claim, statements);
     const bool corrected = record.corrected && changed.prove_corrected;
     return (corrected ? changed.prove_corrected : changed.prove)(prover, changed).verdict;
   }
@@ -207,9 +213,8 @@ void add_subject(Gate& gate, const Subject& subject) {
   });
 }
 
-Outcome outcome_on(Prover& prover, Claim claim, const Statement& statement) {
-  claim.printed = {statement};
-  return claim.prove(prover, claim);
+Outcome outcome_on(Prover& prover, const Claim& claim, const Statement& statement) {
+  return claim.prove(prover, saying(claim, {statement}));
 }
 
 // Whether the proof has refuted an edited statement by the theorem that refutes the printed one: it does not
@@ -245,6 +250,11 @@ Gate mutant_gate(const std::vector<Claim>& claims, const std::set<std::string>& 
 
 namespace {
 
+// Whether there are values with which the roots in it, if there are some, are numbers.
+bool has_its_roots(Prover& prover, const Claim& claim) {
+  return std::ranges::none_of(claim.assumptions, is_of_root) || obeying_point(prover, claim);
+}
+
 // What the edited statement needs that is not seen in it.
 std::string needed(Claim claim, const Statement& edited, const Outcome& outcome) {
   claim.printed = {edited};
@@ -270,7 +280,8 @@ std::vector<Repair> repairs(Prover& prover, const Claim& claim, const Statement&
     if (same_refutation(outcome, refuted)) {
       return found;
     }
-    if (outcome.verdict.truth == Truth::proved) {
+    const bool is_proved = outcome.verdict.truth == Truth::proved;
+    if (is_proved && has_its_roots(prover, saying(claim, {edit.statement}))) {
       found.push_back({edit.what + needed(claim, edit.statement, outcome), edit.statement});
     }
   }
@@ -292,9 +303,9 @@ void repair(Prover& prover, Record& record) {
     corrected.push_back(found.front().statement);
     record.repairs.insert(record.repairs.end(), found.begin(), found.end());
   }
-  Claim reading = record.claim;
-  reading.printed = corrected;
   record.claim.corrected = corrected;
+  record.claim = with_roots(std::move(record.claim));
+  const Claim reading = saying(record.claim, corrected);
   record.corrected = reading.prove(prover, reading);
 }
 

@@ -182,6 +182,9 @@ Premises premises_of(Prover& prover, const Claim& claim, const Outcome& outcome)
   const bool by_ratios = gives_ratios(claim);
   for (const Assumption& assumption : claim.assumptions) {
     const Term& left = assumption.statement.left;
+    if (is_of_root(assumption) && assumption.statement.relation == Relation::equal) {
+      continue;  // true of numbers, and nothing is solved by it
+    }
     const bool is_value = is_substitution(assumption) && !is_solved_for(left.name()) &&
                           (stands_for_itself(left) || (by_ratios && is_ratio(left.name())));
     is_value ? add_value(result, assumption.statement) : add(result, assumption.statement);

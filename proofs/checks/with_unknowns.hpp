@@ -75,6 +75,9 @@ struct WithUnknowns {
   friend WithUnknowns exp(const WithUnknowns& a) {
     return mapped([](const Ball& x) { return Ball(exp(x)); }, a);
   }
+  friend WithUnknowns sqrt(const WithUnknowns& a) {
+    return mapped([](const Ball& x) { return Ball(sqrt(x)); }, a);
+  }
   friend std::pair<WithUnknowns, WithUnknowns> sin_cos(const WithUnknowns& a) { return {sin(a), cos(a)}; }
   friend WithUnknowns abs(const WithUnknowns& a) {
     return mapped([](const Ball& x) { return Ball(abs(x)); }, a);

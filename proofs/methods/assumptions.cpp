@@ -10,6 +10,7 @@
 #include "proofs/methods/reading.hpp"
 #include "proofs/symbols/meaning.hpp"
 #include "proofs/symbols/table.hpp"
+#include "proofs/tactics/letters.hpp"
 #include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::methods {
@@ -45,7 +46,63 @@ std::vector<Term> divisors_in(const Term& term) {
   return all;
 }
 
+// Adds the roots within the term, those within one of them first.
+void add_roots(const Term& term, std::vector<Term>& roots, std::set<std::string>& seen) {
+  for (const Term& part : term.arguments()) {
+    add_roots(part, roots, seen);
+  }
+  if (term.op() != Op::symbol && term.op() != Op::function) {
+    return;
+  }
+  if (term.name() == "sqrt") {
+    if (std::ranges::none_of(roots, [&](const Term& one) { return equal(one, term); })) {
+      roots.push_back(term);
+    }
+    return;
+  }
+  const Symbol * row = symbol_table().find(term);
+  if (row == nullptr || !(row->value || row->means)) {
+    return;
+  }
+  const Term means = row->value ? *row->value : *row->means;
+  if (row->of_time) {
+    add_roots(substitute(means, {{"t", term.arguments().front()}}), roots, seen);
+  } else if (seen.insert(term.name()).second) {
+    add_roots(means, roots, seen);
+  }
+}
+
 }  // namespace
+
+bool is_of_root(const Assumption& assumption) {
+  return assumption.id.starts_with("sqrt(");  // what is named is named by a word
+}
+
+Claim with_roots(Claim claim) {
+  std::erase_if(claim.assumptions, is_of_root);
+  std::vector<Statement> said = claim.printed;
+  said.insert(said.end(), claim.corrected.begin(), claim.corrected.end());
+  for (const Assumption& one : claim.assumptions) {
+    said.push_back(one.statement);
+  }
+  std::vector<Term> roots;
+  std::set<std::string> seen;
+  for (const Statement& one : said) {
+    for (const Term& side : {one.left, one.right}) {
+      add_roots(side, roots, seen);
+    }
+    if (one.during) {
+      add_roots(one.during->from, roots, seen);
+      add_roots(one.during->to, roots, seen);
+    }
+  }
+  for (const Term& root : roots) {
+    const std::string id = text(root);
+    claim.assumptions.push_back({id + ", squared", equation(power(root, 2), root.arguments().front())});
+    claim.assumptions.push_back({id + ", its sign", {root, 0, Relation::greater_or_equal}});
+  }
+  return claim;
+}
 
 bool is_substitution(const Assumption& assumption) {
   return assumption.statement.relation == Relation::equal && assumption.statement.left.op() == Op::symbol &&
@@ -124,6 +181,33 @@ void record_definitions(Outcome& outcome, const Claim& claim, const Term& term) 
   }
 }
 
+namespace {
+
+// Whether d is zero where f is, by what the claim assumes of roots: x - 1 where sqrt(x) - 1 is.
+bool vanish_together(const kernel::Term& d, const kernel::Term& f, const Claim& claim) {
+  Reader read;
+  std::vector<kernel::Theorem> zero{kernel::Theorem::assume(kernel::equal(f, 0))};
+  for (const Assumption& one : claim.assumptions) {
+    if (is_of_root(one) && one.statement.relation == Relation::equal) {
+      zero.push_back(kernel::Theorem::assume(read(one.statement)));
+    }
+  }
+  const auto found = tactics::attempt([&] {
+    std::vector<kernel::Term> gaps;
+    std::ranges::transform(zero, std::back_inserter(gaps),
+                           [](const kernel::Theorem& one) { return -gap_of(one.conclusion()); });
+    const auto factors = zero.size() > 1 ? tactics::multipliers(d, gaps) : std::nullopt;
+    std::vector<kernel::Multiple> multiples;
+    for (std::size_t k = 0; factors && k < zero.size(); ++k) {
+      multiples.push_back({zero[k], (*factors)[k]});
+    }
+    return kernel::Theorem::combination(kernel::equal(d, 0), multiples);
+  });
+  return found.has_value();
+}
+
+}  // namespace
+
 bool is_seen(const Hypothesis& hypothesis, const Claim& needing, const Claim& origin) {
   if (origin.id != needing.id && facts(origin.origin).source == nullptr) {
     return false;
@@ -137,7 +221,8 @@ bool is_seen(const Hypothesis& hypothesis, const Claim& needing, const Claim& or
   for (const Statement& one : origin.printed) {
     for (const Term& side : {one.left, one.right}) {
       for (const Term& divisor : divisors_in(side)) {
-        if (is_in_field(divisor) && tactics::implies_nonzero(opened(divisor), needed, parameters())) {
+        if (is_in_field(divisor) && (tactics::implies_nonzero(opened(divisor), needed, parameters()) ||
+                                     vanish_together(opened(divisor), needed, origin))) {
           return true;
         }
       }

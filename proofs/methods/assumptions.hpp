@@ -15,6 +15,13 @@ namespace stickslip::proofs::methods {
 // speak of it.
 [[nodiscard]] bool is_substitution(const Assumption& assumption);
 
+// The claim, which assumes of each root in what it says, sqrt(a), that its square is a and that it is not
+// negative: so it speaks of where its roots are numbers. What it assumed so before, for other roots, is left
+// out.
+[[nodiscard]] Claim with_roots(Claim claim);
+// Whether the claim assumes this for a root only.
+[[nodiscard]] bool is_of_root(const Assumption& assumption);
+
 // The names of the symbols with which the term changes. F0 and R mention the load's phase without showing it.
 [[nodiscard]] std::set<std::string> names_in(const symbols::Term& term);
 [[nodiscard]] bool depends_on(const symbols::Term& term, const std::string& name);

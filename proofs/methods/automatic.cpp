@@ -15,6 +15,7 @@
 #include "proofs/symbols/parse.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
+#include "proofs/tactics/roots.hpp"
 #include "symbolic/typeset/names.hpp"
 
 namespace stickslip::proofs::methods {
@@ -25,12 +26,23 @@ using tactics::attempt, tactics::first_that_works;
 
 namespace {
 
+Theorem by_squares(Derivation& derivation, const Formula& formula);
+bool speaks_of_roots(const Formula& formula);
+
 // a ≠ b by the sign of a - b.
 Theorem differs(Derivation& derivation, const Formula& formula) {
   const Formula& same = formula.parts()[0];
   const Term gap = same.parts()[1] == Term(0) ? same.parts()[0] : same.parts()[0] - same.parts()[1];
   const auto by_sign = first_that_works(std::array{false, true}, [&](bool turned) {
-    const Theorem positive = derivation.positive(turned ? -gap : gap);
+    const Term size = turned ? -gap : gap;
+    const auto at_once = attempt([&] { return derivation.positive(size); });
+    if (!at_once && !speaks_of_roots(formula)) {
+      throw KernelError("its sign is not known");
+    }
+    const Formula order = less(same.parts()[turned ? 0 : 1], same.parts()[turned ? 1 : 0]);
+    const Theorem positive =
+        at_once ? *at_once
+                : derivation.order(less(0, size), {kernel::Positive{{by_squares(derivation, order)}}});
     const Theorem nonzero = tactics::different(
         turned ? derivation.order(less(gap, 0), {kernel::Positive{{positive}}}) : positive);
     const Theorem zero = Theorem::combination(equal(gap, 0), {{Theorem::assume(same)}});
@@ -56,21 +68,59 @@ Theorem first_of(const std::vector<Theorem (*)(Derivation&, const Formula&)>& wa
   return found ? *found : ways.back()(derivation, formula);
 }
 
-// With the values that are given put in no variable is left: in balls, or by normal form.
-Theorem at_values(Derivation& derivation, const Formula& formula) {
+// "symbol = value", as far as the symbols are variables.
+std::vector<Theorem> given_values(Derivation& derivation) {
   const Given given(derivation.claim());
+  std::vector<Theorem> result;
   for (const Assumption& one : derivation.claim().assumptions) {
-    const Term symbol = given.takes(one) ? derivation.read(one.statement.left) : Term(0);
-    if (symbol.kind() != kernel::Kind::variable || !occurs(symbol, formula)) {
+    if (given.takes(one) && derivation.read(one.statement.left).kind() == kernel::Kind::variable) {
+      result.push_back(Theorem::assume(derivation.read(one.statement)));
+    }
+  }
+  return result;
+}
+
+// The root, and those of which its square speaks, as the claim assumes it, with the values put in that are
+// given.
+void enclose(Derivation& derivation, const Variable& variable, tactics::Roots& roots) {
+  const auto root = root_of(variable);
+  if (!root || roots.contains(variable)) {
+    return;
+  }
+  Theorem square = Theorem::assume(equal(power(variable, 2), derivation.read(root->arguments().front())));
+  const std::vector<Theorem> values = given_values(derivation);
+  for (std::size_t k = 0; k < values.size(); ++k) {  // each may speak of others
+    for (const Theorem& value : values) {
+      square = tactics::by_rewriting(square, value);
+    }
+  }
+  for (const Variable& one : square.conclusion().parts()[1].variables()) {
+    enclose(derivation, one, roots);
+  }
+  roots.add(square, Theorem::assume(at_most(0, variable)));
+}
+
+// With the values that are given put in no variable is left, but for roots: in balls, or by normal form.
+Theorem at_values(Derivation& derivation, const Formula& formula) {
+  for (const Theorem& value : given_values(derivation)) {
+    const Term& symbol = value.conclusion().parts()[0];
+    if (!occurs(symbol, formula)) {
       continue;
     }
     const Variable x{symbol.name()};
-    const Theorem value = Theorem::assume(derivation.read(one.statement));
     const Theorem there = at_values(derivation, substitute(formula, {{x, value.conclusion().parts()[1]}}));
     const Variable place = fresh(real_number, {formula, value.conclusion()});
     return Theorem::replace(tactics::symmetric(value), place, substitute(formula, {{x, place}}), there);
   }
-  return tactics::certainly(formula);
+  tactics::Roots roots;
+  for (const Variable& one : formula.variables()) {
+    enclose(derivation, one, roots);
+  }
+  return roots.without_ranges(tactics::certainly(formula, roots.ranges()));
+}
+
+Theorem related(Derivation& derivation, const Formula& formula) {
+  return derivation.related(formula);
 }
 
 Theorem what_follows(Derivation& derivation, const Formula& formula) {
@@ -100,7 +150,7 @@ Theorem directly(Derivation& derivation, const Formula& formula) {
     const Formula else_here = at_most(b, a);
     const Theorem rest = derivation.supposing(else_here, [&] {
       const auto one = attempt([&] { return directly(derivation, formula.parts()[1]); });
-      return one ? *one : derivation.related(formula.parts()[1]);
+      return one ? *one : first_of({by_squares, related}, derivation, formula.parts()[1]);
     });
     return Theorem::consequence({Theorem::discharge(rest, else_here), Theorem::trichotomy(a, b)}, formula);
   }
@@ -113,6 +163,70 @@ Theorem directly(Derivation& derivation, const Formula& formula) {
   }
   return formula.kind() == kernel::Kind::less ? first_of({at_values, what_follows}, derivation, formula)
                                               : derivation.follows(formula);
+}
+
+bool speaks_of_roots(const Formula& formula) {
+  return std::ranges::any_of(formula.variables(),
+                             [](const Variable& one) { return root_of(one).has_value(); });
+}
+
+// The polynomial with a in place of the square of the letter.
+Term with_square(const Polynomial& polynomial, std::size_t letter, const Term& a,
+                 const tactics::Letters& letters) {
+  std::vector<Term> sum{0};
+  for (int k = 0; k <= degree(polynomial, letter); ++k) {
+    const Term part = letters.term(coefficient(polynomial, letter, k)) * power(a, k / 2);
+    sum.push_back(k % 2 == 0 ? part : part * letters.terms()[letter]);
+  }
+  return kernel::sum(sum);
+}
+
+// a = b, where b has no squares of roots.
+Theorem without_squares_of_roots(Derivation& derivation, const Term& a) {
+  Term b = a;
+  for (bool more = true; more;) {  // a root may stand within another
+    more = false;
+    const tactics::Letters letters({b});
+    const auto [above, below] = letters.fraction(b);
+    for (std::size_t k = 0; k < letters.terms().size() && !more; ++k) {
+      const Term& letter = letters.terms()[k];
+      const auto root =
+          letter.kind() == kernel::Kind::variable ? root_of({letter.name(), letter.type()}) : std::nullopt;
+      if (root && std::max(degree(above, k), degree(below, k)) > 1) {
+        const Term square = derivation.read(root->arguments().front());
+        b = with_square(above, k, square, letters) / with_square(below, k, square, letters);
+        more = true;
+      }
+    }
+  }
+  return a == b ? Theorem::reflexive(a) : derivation.combined(equal(a, b));
+}
+
+// By the squares of both sides, and their signs.
+Theorem by_squares(Derivation& derivation, const Formula& formula) {
+  const Term &a = tactics::sides_of(formula)[0], &b = tactics::sides_of(formula)[1];
+  const auto squared = [](const Term& x) { return power(x, 2); };
+  const auto not_below = [&](const Term& x) { return directly(derivation, at_most(0, x)); };
+  if (formula.kind() != kernel::Kind::equal) {
+    const bool strict = formula.kind() == kernel::Kind::less;
+    const auto relation = [&](const Term& x, const Term& y) { return strict ? less(x, y) : at_most(x, y); };
+    const Theorem in_a = without_squares_of_roots(derivation, squared(a)),
+                  in_b = without_squares_of_roots(derivation, squared(b));
+    const Theorem squares = Theorem::order(
+        relation(squared(a), squared(b)),
+        {kernel::Positive{
+            {directly(derivation, relation(in_a.conclusion().parts()[1], in_b.conclusion().parts()[1]))}}},
+        {{in_a, -1}, {in_b}});
+    return derivation.without_divisors(
+        (strict ? tactics::below_by_squares : tactics::at_most_by_squares)(squares, not_below(b), a, b));
+  }
+  const Theorem same = derivation.combined(equal(squared(a), squared(b)));
+  const auto at_most_other = [&](const Term& x, const Term& y, long factor) {
+    return tactics::at_most_by_squares(Theorem::order(at_most(squared(x), squared(y)), {}, {{same, -factor}}),
+                                       not_below(y), x, y);
+  };
+  return derivation.without_divisors(Theorem::consequence(
+      {at_most_other(a, b, 1), at_most_other(b, a, -1), Theorem::trichotomy(a, b)}, formula));
 }
 
 // Each assumed equation solved in one of its ways, and put into what is to be shown; `choice` counts the
@@ -222,8 +336,14 @@ Outcome by_search(Prover& prover, const Claim& claim) {
                               : "the sign of the difference of both sides, for all values of the symbols",
                   prover, claim, [](Derivation& derivation, std::size_t which) {
                     const Formula formula = derivation.printed(which);
-                    return is_equation_of_numbers(formula) ? derivation.related(formula)
-                                                           : directly(derivation, formula);
+                    try {
+                      return (is_equation_of_numbers(formula) ? related : directly)(derivation, formula);
+                    } catch (const KernelError&) {
+                      if (const auto found = attempt([&] { return by_squares(derivation, formula); })) {
+                        return *found;
+                      }
+                      throw;
+                    }
                   });
 }
 
@@ -376,7 +496,7 @@ Claim own_claim(const OwnStatement& own) {
     }
   }
   claim.prove = automatically();
-  return claim;
+  return with_roots(std::move(claim));
 }
 
 }  // namespace stickslip::proofs::methods

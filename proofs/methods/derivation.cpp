@@ -112,6 +112,36 @@ Derivation::Derivation(Prover& prover, const Claim& claim) : prover_(prover), cl
       know(Theorem::assume(entry.first));
     }
   }
+  look_at_roots();
+}
+
+// Roots of what is positive, by what is known before, are positive.
+void Derivation::look_at_roots() {
+  for (const Assumption& assumption : claim_.assumptions) {
+    if (!is_of_root(assumption) || assumption.statement.relation != symbols::Relation::equal) {
+      continue;
+    }
+    const Theorem square = Theorem::assume(read_(assumption.statement));
+    const Term root = square.conclusion().parts()[0].parts()[0], a = square.conclusion().parts()[1];
+    const auto positive = attempt([&] {
+      const Theorem squares =
+          Theorem::order(less(power(Term(0), 2), power(root, 2)),
+                         {Positive{{tactics::inequality(less(0, a), inequalities())}}}, {{square}});
+      return below_by_squares(squares, Theorem::assume(at_most(0, root)), 0, root);
+    });
+    if (positive) {
+      known_.push_back(*positive);
+      domain_.push_back(*positive);
+      know(different(*positive));
+    }
+  }
+}
+
+std::vector<Theorem> Derivation::inequalities() const {
+  std::vector<Theorem> result;
+  std::ranges::copy_if(domain_, std::back_inserter(result),
+                       [](const Theorem& one) { return is_inequality(one.conclusion()); });
+  return result;
 }
 
 Theorem Derivation::supposing(const Formula& inequality, const std::function<Theorem()>& work) {
@@ -184,11 +214,9 @@ std::optional<Theorem> Derivation::differs_by_sign(const Formula& divisor) const
     return std::nullopt;
   }
   const Term d = divisor.parts()[0].parts()[0];
-  std::vector<Theorem> inequalities;
-  std::ranges::copy_if(domain_, std::back_inserter(inequalities),
-                       [](const Theorem& one) { return is_inequality(one.conclusion()); });
+  const std::vector<Theorem> known = inequalities();
   return tactics::first_that_works(std::array{less(0, d), less(d, 0)}, [&](const Formula& sign) {
-    return tactics::different(tactics::inequality(sign, inequalities));
+    return tactics::different(tactics::inequality(sign, known));
   });
 }
 
@@ -336,7 +364,7 @@ void Derivation::conclude(Outcome& outcome, const std::vector<Theorem>& theorems
     record_definitions(outcome, claim_, printed.left);
     record_definitions(outcome, claim_, printed.right);
     for (const Variable& variable : theorem.conclusion().variables()) {
-      if (variable.type.is_scalar()) {
+      if (variable.type.is_scalar() && !root_of(variable)) {
         outcome.free.push_back(variable.name);
       }
     }

@@ -103,7 +103,9 @@ class Derivation {
   };
   using Rule = std::function<kernel::Theorem(const Problem&)>;
 
+  void look_at_roots();
   void look_into_stated();
+  [[nodiscard]] std::vector<kernel::Theorem> inequalities() const;  // of the domain and of what is known
   [[nodiscard]] std::optional<kernel::Theorem> differs_by_sign(const kernel::Formula& divisor) const;
   [[nodiscard]] std::vector<kernel::Theorem> positive_sines(const kernel::Term& term);
   [[nodiscard]] static std::vector<kernel::Term> residual(const Problem& problem);

@@ -138,7 +138,28 @@ struct Unknowns {
   std::vector<Statement> values;    // "symbol = value"
   std::vector<Formula> conditions;  // with the values put in
   std::optional<Formula> failing;   // likewise
+  // Of these, the roots, and what they are roots of; those within another first.
+  std::vector<std::pair<Variable, Term>> roots = {};
 };
+
+// Whether it says of a root of what it is one.
+bool is_of_root(Derivation& derivation, const Formula& equation) {
+  const Term& square = equation.parts()[0];
+  if (square.kind() != kernel::Kind::power || square.parts()[0].kind() != kernel::Kind::variable) {
+    return false;
+  }
+  const Variable name{square.parts()[0].name()};
+  const auto root = root_of(name);
+  return root && equation == equal(power(name, 2), derivation.read(root->arguments().front()));
+}
+
+// Adds the values of the roots; whether they have some.
+bool add_roots(tactics::Point& values, const std::vector<std::pair<Variable, Term>>& roots) {
+  return std::ranges::all_of(roots, [&](const auto& root) {
+    const long double value = std::sqrt(tactics::estimated(root.second, values));
+    return std::isfinite(value) && values.emplace(root.first, Rational(static_cast<double>(value))).second;
+  });
+}
 
 // With each assumed equation solved in one of its ways, which `choice` counts; nothing where there are no
 // more ways.
@@ -199,14 +220,21 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
       result.conditions.push_back(condition);
     }
   }
+  for (const Variable& one : result.drawn) {
+    if (const auto root = root_of(one)) {
+      result.roots.emplace_back(one, put_in(derivation.read(root->arguments().front())));
+    }
+  }
+  std::ranges::sort(result.roots, {}, [](const auto& root) { return root.first.name.size(); });
   return result;
 }
 
 // Up to `most` scenes, drawn at random, the same on every run, at which all that the claim assumes of numbers
 // holds nearly and `failing`, if it is given, does not. Assumed equations between numbers are solved for one
-// of their symbols each where they are linear in one. None where `failing` speaks of motions.
+// of their symbols each where they are linear in one. None where `failing` speaks of motions. Where nothing
+// is drawn there is one point: `in_doubt` takes it even where floating point cannot tell that it fails.
 std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optional<Statement>& failing,
-                          std::size_t most) {
+                          std::size_t most, bool in_doubt) {
   constexpr std::size_t most_choices = 8;
   constexpr std::size_t draws = 1000;
   // An equation of analytic terms that holds at so many points in turn, whatever is assumed, holds at all.
@@ -220,15 +248,24 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
         std::ranges::any_of(open->drawn, [](const Variable& one) { return one.type != real_number; })) {
       break;
     }
+    const bool is_only_point =
+        std::ranges::all_of(open->drawn, [](const Variable& one) { return root_of(one).has_value(); });
     std::size_t agreeing = 0;
-    for (std::size_t k = 0; k < draws && result.size() < most && agreeing < most_agreeing; ++k) {
+    for (std::size_t k = 0;
+         k < (is_only_point ? 1 : draws) && result.size() < most && agreeing < most_agreeing; ++k) {
       tactics::Point values;
       Scene scene{.values = open->values};
       for (const Variable& name : open->drawn) {
+        if (root_of(name)) {
+          continue;
+        }
         scene.point.push_back({name.name, values.emplace(name, draw.value(name.name, k)).first->second});
       }
+      if (!add_roots(values, open->roots)) {
+        continue;
+      }
       const auto holds = open->failing ? holds_nearly(*open->failing, values, 0) : std::optional(false);
-      if (holds != std::optional(false)) {
+      if (holds != std::optional(false) && !(is_only_point && in_doubt)) {
         agreeing += holds && open->failing->kind() == kernel::Kind::equal ? 1 : 0;
         continue;
       }
@@ -252,7 +289,7 @@ std::optional<std::pair<Scene, Theorem>> said_at_point(Prover& prover, const Cla
   const std::vector<Statement> failed = failing ? std::vector<Statement>{*failing} : std::vector<Statement>{};
   try {
     return tactics::first_that_works(
-        scenes(prover, claim, doubted ? doubted : failing, most_attempts),
+        scenes(prover, claim, doubted ? doubted : failing, most_attempts, true),
         [&](const Scene& scene) { return std::pair(scene, refutation(prover, scene, holding, failed)); });
   } catch (const KernelError&) {  // no floating point says where to look
   } catch (const symbols::NoValue&) {
@@ -266,7 +303,7 @@ std::optional<std::vector<Theorem>> solved_in_turn(Derivation& derivation, std::
                                                    bool any_letter) {
   std::vector<Theorem> result;
   for (const Formula& one : derivation.assumed()) {
-    if (!is_equation_of_numbers(one)) {
+    if (!is_equation_of_numbers(one) || (!any_letter && is_of_root(derivation, one))) {
       continue;
     }
     Theorem equation = Theorem::assume(one);
@@ -331,7 +368,7 @@ std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim, cons
 
 bool seems_to_fail(Prover& prover, const Claim& claim, const Statement& statement) {
   try {
-    return !scenes(prover, claim, statement, 1).empty();
+    return !scenes(prover, claim, statement, 1, false).empty();
   } catch (const KernelError&) {
     return false;
   } catch (const symbols::NoValue&) {

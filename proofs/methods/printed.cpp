@@ -14,7 +14,7 @@ symbols::Term printed_term(const Term& term) {
   const auto part = [&](std::size_t k) { return printed_term(term.parts()[k]); };
   switch (term.kind()) {
     case kernel::Kind::variable:
-      return symbols::scalar(term.name());
+      return root_of({term.name(), term.type()}).value_or(symbols::scalar(term.name()));
     case kernel::Kind::number:
       return symbols::Term(term.value());
     case kernel::Kind::pi:

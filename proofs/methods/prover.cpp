@@ -29,8 +29,9 @@ namespace {
 // Whether all that it prints is what it assumes.
 bool says_what_it_assumes(const Claim& claim) {
   const auto is_assumed = [&](const Statement& one) {
-    return std::ranges::any_of(
-        claim.assumptions, [&](const Assumption& assumption) { return equal(assumption.statement, one); });
+    return std::ranges::any_of(claim.assumptions, [&](const Assumption& assumption) {
+      return !is_of_root(assumption) && equal(assumption.statement, one);
+    });
   };
   return !claim.printed.empty() && std::ranges::all_of(claim.printed, is_assumed);
 }
@@ -199,7 +200,7 @@ Record Prover::proved(const Claim& claim) {
                               (!record.converse || inherit(*record.converse, claim));
   confirm(record.outcome, claim, claim.printed, {});
   if (record.corrected) {
-    confirm(*record.corrected, claim, record.claim.corrected, record.outcome.theorems);
+    confirm(*record.corrected, record.claim, record.claim.corrected, record.outcome.theorems);
   }
   if (record.converse) {
     confirm(*record.converse, claim, {}, {});

@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/symbols/evaluate.hpp"
 #include "proofs/symbols/sample.hpp"
 #include "proofs/symbols/table.hpp"
@@ -90,7 +91,33 @@ Term once(const std::string& name, const symbols::Shape& shape, bool of_time,
   return known != made.end() ? known->second : made.emplace(key, make()).first->second;
 }
 
+// By vocabulary and name.
+std::map<std::pair<std::size_t, std::string>, symbols::Term>& roots() {
+  static thread_local std::map<std::pair<std::size_t, std::string>, symbols::Term> all;
+  return all;
+}
+
+// A root is one number, at whatever time.
+void check_no_root_changes(const Variables& variables) {
+  for (const Variable& one : variables) {
+    if (const auto root = root_of(one); root && depends_on(*root, "t")) {
+      throw NoValue("a root that changes with the time has no reading here: " + text(*root));
+    }
+  }
+}
+
+// The function of the time that this is a value of.
+Term of_time(const Term& value) {
+  check_no_root_changes(value.variables());
+  return lambda(time, value);
+}
+
 }  // namespace
+
+std::optional<symbols::Term> root_of(const Variable& variable) {
+  const auto found = roots().find({symbols::vocabulary_here().number(), variable.name});
+  return found != roots().end() ? std::optional(found->second) : std::nullopt;
+}
 
 Term Reader::scalar(const std::string& name) {
   return once(name, {}, false, [&] { return scalar_made(name); });
@@ -135,8 +162,13 @@ Term Reader::symbol(const symbols::Term& printed) {
 }
 
 Term Reader::function(const symbols::Term& printed) {
-  const Term argument = (*this)(printed.arguments().front());
   const std::string& name = printed.name();
+  if (name == "sqrt") {
+    const std::string shown = text(printed);
+    roots().try_emplace({symbols::vocabulary_here().number(), shown}, printed);
+    return Variable{shown};
+  }
+  const Term argument = (*this)(printed.arguments().front());
   if (name == "exp") {
     return exp(argument);
   }
@@ -206,6 +238,7 @@ Term Reader::operator()(const symbols::Term& printed) {
     case Op::determinant:
       return determinant(parts[0]);
     case Op::derivative: {
+      check_no_root_changes(parts[0].variables());
       const auto known =
           std::ranges::find_if(rates_, [&](const auto& rate) { return rate.second == parts[0]; });
       if (known != rates_.end()) {
@@ -313,7 +346,8 @@ Formula Reader::at_one_time(const symbols::Statement& statement) {
   const Term value = statement.right.is_zero()
                          ? zero(real_matrix(statement.left.shape().rows, statement.left.shape().columns))
                          : (*this)(statement.right);
-  return derivative(lambda(time, (*this)(statement.left.arguments().front())), time, value);
+  check_no_root_changes(value.variables());
+  return derivative(of_time((*this)(statement.left.arguments().front())), time, value);
 }
 
 Formula Reader::with_signs(const symbols::Statement& statement) {
@@ -345,6 +379,7 @@ Formula Reader::operator()(const symbols::Statement& statement) {
                   said = almost ? negation(with_signs(here)) : at_one_time(here),
                   then = almost ? finite(time, kernel::all({inside, said}))
                                 : for_all(time, implies(inside, said));
+    check_no_root_changes(then.variables());
     if (from.variables().contains(time) || to.variables().contains(time)) {
       throw NoValue("the ends of an interval depend on the time: " + text(statement));
     }
@@ -354,7 +389,7 @@ Formula Reader::operator()(const symbols::Statement& statement) {
     if (statement.left.op() != Op::derivative) {
       return then;
     }
-    const Term f = lambda(time, (*this)(statement.left.arguments().front()));
+    const Term f = of_time((*this)(statement.left.arguments().front()));
     return kernel::all({continuous(f, from, to), then});
   }
   Formula formula = relation(statement);

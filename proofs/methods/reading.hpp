@@ -16,7 +16,10 @@ namespace stickslip::proofs::methods {
 // Printed terms as kernel terms. A scalar is a variable, a number, or, where the table of symbols or model/
 // has a formula for it, a definition in what it depends on: chi is chi(omega1, omega2), H(t) is H(t, omega1,
 // omega2), F_0 is F0(omega, phi, …). The motion is a function of time, X(t) = (x1, x2, x1', x2')(t); Z(t) and
-// Zbar(t) are X(t) seen from the places of rest. Throws symbols::NoValue for what has no meaning.
+// Zbar(t) are X(t) seen from the places of rest. The kernel has no roots: sqrt(a) is a variable, of which a
+// claim assumes that its square is a and that it is not negative (with_roots in assumptions.hpp). Throws
+// symbols::NoValue for what has no meaning, and where a root would change with the time of a rate or an
+// interval.
 class Reader {
  public:
   [[nodiscard]] kernel::Term operator()(const symbols::Term& printed);
@@ -47,6 +50,9 @@ class Reader {
   // Of the derivatives in a statement: D, and what it is the derivative of.
   std::vector<std::pair<kernel::Variable, kernel::Term>> rates_;
 };
+
+// The printed root that this variable stands for, as this thread has read it; nothing for any other variable.
+[[nodiscard]] std::optional<symbols::Term> root_of(const kernel::Variable& variable);
 
 // The parameters' domain, which every statement supposes, as the vocabulary in force has it: theorems "x < u"
 // that rest on themselves, and what these say. Of the oscillator: 0 < omega1 < 1 < omega2, positive omega,

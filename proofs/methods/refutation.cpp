@@ -13,6 +13,7 @@
 #include "proofs/symbols/table.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/closed.hpp"
+#include "proofs/tactics/roots.hpp"
 
 namespace stickslip::proofs::methods {
 
@@ -244,14 +245,19 @@ class Place {
 
   // Gives values to all of these variables but functions: those of the scene, and any to the others.
   void give_values(Variables variables) {
-    Substitution given;
+    Substitution given, squares;
+    for (const Variable& variable : variables) {
+      if (const auto root = root_of(variable)) {
+        squares.emplace(variable, derivation_.read(root->arguments().front()));
+      }
+    }
     for (const Assumption& one : claim_.assumptions) {
       const Term value = derivation_.read(one.statement.right);
       given.emplace(Variable{one.statement.left.name()}, value);
       variables.insert(value.variables().begin(), value.variables().end());
     }
     for (const Variable& variable : variables) {
-      if (variable.type == real_number && !given.contains(variable)) {
+      if (variable.type == real_number && !given.contains(variable) && !squares.contains(variable)) {
         values_.emplace(variable, any_value(variable.name, state_));
       }
     }
@@ -259,7 +265,14 @@ class Place {
       more = false;
       for (const auto& [variable, value] : given) {
         const Term here = substitute(value, values_);
-        more = (here.variables().empty() && values_.emplace(variable, here).second) || more;
+        more = (roots_.know(here) && values_.emplace(variable, here).second) || more;
+      }
+      for (const auto& [root, square] : squares) {
+        const Term here = substitute(square, values_);
+        if (roots_.know(here) && !values_.contains(root) && !roots_.contains(root)) {
+          give_root(root, here);
+          more = true;
+        }
       }
     }
   }
@@ -274,18 +287,27 @@ class Place {
     const Formula open = substitute(formula, motion_);
     if (open.kind() == kernel::Kind::equal) {
       if (const auto always = attempt([&] {
-            return without_hypotheses(Theorem::instantiate(derivation_.combination(open), values_));
+            return without_hypotheses(Theorem::instantiate(derivation_.combination(open), values_),
+                                      roots_.ranges());
           })) {
         return *always;
       }
     }  // or it may hold at this point only
-    return certainly(substitute(open, values_));
+    const Formula here = substitute(open, values_);
+    for (const Root& root : roots_there_are_) {
+      for (std::size_t k = 0; k < root.said.parts().size(); ++k) {
+        if (root.said.parts()[k] == here) {
+          return part(Theorem::assume(root.said), k);
+        }
+      }
+    }
+    return certainly(here, roots_.ranges());
   }
   [[nodiscard]] Theorem fails(const Formula& formula) {
     if (joined_) {
       return of_pieces(negation(formula), [this](const Formula& open) { return fails(open.parts()[0]); });
     }
-    return certainly_not(substitute(substitute(formula, motion_), values_));
+    return certainly_not(substitute(substitute(formula, motion_), values_), roots_.ranges());
   }
 
   // The first of the functions, for its motion, that obeys the phase, with the theorem. Throws KernelError if
@@ -342,15 +364,38 @@ class Place {
     }
     const std::vector<Variable> names(formula.variables().begin(), formula.variables().end());
     for (const Variable& name : names) {
-      if (!all.contains(name)) {
+      if (!all.contains(name) && !roots_.contains(name)) {
         throw KernelError(name.name + " has no value at this point");
       }
     }
-    const Theorem there = there_are(names, formula, all, theorem);
+    Theorem there = there_are(names, formula, all, theorem);
+    for (auto root = roots_there_are_.rbegin(); root != roots_there_are_.rend(); ++root) {
+      there = Theorem::choose(root->exists, root->name, roots_.without_range(root->name, there));
+    }
     return joined_ ? joined_->closed(there) : there;
   }
 
  private:
+  // A root that is no rational number: that there is one, and what is said of it then.
+  struct Root {
+    Variable name;
+    Theorem exists;
+    Formula said;
+  };
+
+  // The root of `square`, which is known: a rational number, or one in a range.
+  void give_root(const Variable& name, const Term& square) {
+    if (const auto exact = roots_.rational_root(square)) {
+      values_.emplace(name, Term(*exact));
+      return;
+    }
+    const Theorem exists =
+        detach(Theorem::square_root(square), certainly(at_most(0, square), roots_.ranges()));
+    const Formula said = opened(exists.conclusion(), name);
+    roots_.add(part(Theorem::assume(said), 1), part(Theorem::assume(said), 0));
+    roots_there_are_.push_back({name, exists, said});
+  }
+
   // Where X is joined of two: its values are those of one of these, of which `prove` makes the theorem.
   template <class Prove>
   [[nodiscard]] Theorem of_pieces(const Formula& formula, const Prove& prove) {
@@ -381,9 +426,11 @@ class Place {
   Claim claim_;
   Derivation derivation_;
   Rational state_;
-  Substitution values_;          // terms without variables
-  Substitution motion_;          // X in terms of the variables
-  std::vector<Term> functions_;  // or those of which it is joined
+  Substitution values_;  // terms without variables, but for roots
+  Roots roots_;
+  std::vector<Root> roots_there_are_;  // each after those of which its square speaks
+  Substitution motion_;                // X in terms of the variables
+  std::vector<Term> functions_;        // or those of which it is joined
   std::optional<Joined> joined_;
 };
 

@@ -74,6 +74,18 @@ S absolute_value(const S& value) {
   }
 }
 
+// NaN below 0. What changes with time has no root here: nothing asks for its rate.
+template <class S>
+S square_root(const S& value) {
+  if constexpr (requires { S(sqrt(value)); }) {
+    return S(sqrt(value));
+  } else if constexpr (requires { value.size(), square_root(value[0]); }) {
+    return value.size() == 1 ? S(square_root(value[0])) : throw NoValue("a root of what changes with time");
+  } else {
+    throw numeric::scalars::NoExactValue("a root has no exact value");
+  }
+}
+
 template <class S>
 using Functions = std::map<std::string, std::function<Value<S>(const Lookup<S>&, const S&)>>;
 
@@ -89,6 +101,7 @@ const Functions<S>& functions() {
       {"sin", [](const L&, const S& t) -> V { return scalar_value<S>(S(sin(t))); }},
       {"exp", [](const L&, const S& t) -> V { return scalar_value<S>(S(exp(t))); }},
       {"tan", [](const L&, const S& t) -> V { return scalar_value<S>(S(S(sin(t)) / S(cos(t)))); }},
+      {"sqrt", [](const L&, const S& t) -> V { return scalar_value<S>(square_root(t)); }},
       {"abs", [](const L&, const S& t) -> V { return scalar_value<S>(absolute_value(t)); }},
       {"H", [](const L& s, const S& t) -> V { return model::H<S>(modes<S>(s), t); }},
       {"H1", [](const L& s, const S& t) -> V { return model::H_blocks<S>(modes<S>(s), t).first; }},
@@ -115,8 +128,8 @@ const Functions<S>& functions() {
 // vocabulary.
 template <class S, class Formulas>
 auto formula_of(const Formulas& known, const std::string& name) {
-  static const std::set<std::string> elementary{"cos", "sin", "tan", "exp", "abs"};
-  return vocabulary_here().is_of_model() || elementary.contains(name) ? known.find(name) : known.end();
+  return vocabulary_here().is_of_model() || is_elementary(name) || name == "abs" ? known.find(name)
+                                                                                 : known.end();
 }
 
 template <class S>

@@ -13,15 +13,15 @@ namespace {
 constexpr std::size_t longest_line = 20000, longest_number = 1000;
 
 // What may be typed for plain names and signs.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 46> typed{{
-    {"−", "-"},       {"·", "*"},     {"⋅", "*"},      {"×", "*"},      {"≤", "<="},    {"≥", ">="},
-    {"≠", "!="},      {"²", "^2"},    {"³", "^3"},     {"′", "'"},      {"″", "''"},    {"₀", "0"},
-    {"₁", "1"},       {"₂", "2"},     {"₃", "3"},      {"₄", "4"},      {"₅", "5"},     {"π", "pi"},
-    {"χ", "chi"},     {"η", "eta"},   {"ω", "omega"},  {"τ", "tau"},    {"φ", "phi"},   {"ϕ", "phi"},
-    {"ψ", "psi"},     {"ξ", "xi"},    {"λ", "lambda"}, {"ρ", "rho"},    {"δ", "delta"}, {"ε", "epsilon"},
-    {"ϵ", "epsilon"}, {"γ", "gamma"}, {"α", "alpha"},  {"β", "beta"},   {"μ", "mu"},    {"θ", "theta"},
-    {"Θ", "Theta"},   {"Γ", "Gamma"}, {"Λ", "Lambda"}, {"Σ", "Sigma"},  {"Δ", "Delta"}, {"Φ", "Phi"},
-    {"Ψ", "Psi"},     {"Ω", "Omega"}, {"Ξ", "Xi"},     {"\u00a0", " "},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 47> typed{{
+    {"−", "-"},       {"·", "*"},     {"⋅", "*"},      {"×", "*"},     {"≤", "<="},     {"≥", ">="},
+    {"≠", "!="},      {"²", "^2"},    {"³", "^3"},     {"′", "'"},     {"″", "''"},     {"₀", "0"},
+    {"₁", "1"},       {"₂", "2"},     {"₃", "3"},      {"₄", "4"},     {"₅", "5"},      {"π", "pi"},
+    {"χ", "chi"},     {"η", "eta"},   {"ω", "omega"},  {"τ", "tau"},   {"φ", "phi"},    {"ϕ", "phi"},
+    {"ψ", "psi"},     {"ξ", "xi"},    {"λ", "lambda"}, {"ρ", "rho"},   {"δ", "delta"},  {"ε", "epsilon"},
+    {"ϵ", "epsilon"}, {"γ", "gamma"}, {"α", "alpha"},  {"β", "beta"},  {"μ", "mu"},     {"θ", "theta"},
+    {"Θ", "Theta"},   {"Γ", "Gamma"}, {"Λ", "Lambda"}, {"Σ", "Sigma"}, {"Δ", "Delta"},  {"Φ", "Phi"},
+    {"Ψ", "Psi"},     {"Ω", "Omega"}, {"Ξ", "Xi"},     {"√", "sqrt"},  {"\u00a0", " "},
 }};
 
 bool is_digit(char c) {

@@ -448,7 +448,7 @@ class Parser {
     if (primes > 2) {
       fail(at, "at most two primes");
     }
-    if (raised_to.value_or(0) < 0 && (name == "cos" || name == "sin" || name == "tan" || name == "exp")) {
+    if (raised_to.value_or(0) < 0 && is_elementary(name)) {
       fail(at, fmt::format("{0}^-1 may mean two things: write 1/{0}(t)", name));
     }
     if (primes > 0 && !(argument.op == Op::symbol && argument.name == "t")) {

@@ -50,7 +50,7 @@ Function of_time(const char * name) {
 const Names& plain_names() {
   static const Names all = [] {
     Names names{chi, eta, V, omega, p, phi, pi(), t, s, t1, tau2, E, I2, I4};
-    for (const char * name : {"cos", "sin", "exp", "abs", "sign", "Rtilde"}) {
+    for (const char * name : {"cos", "sin", "exp", "sqrt", "abs", "sign", "Rtilde"}) {
       names.push_back(Function{name, {}});
     }
     for (const char * name :

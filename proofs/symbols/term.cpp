@@ -167,6 +167,9 @@ Term tan(const Term& argument) {
 Term exp(const Term& argument) {
   return Function{"exp", {}}(argument);
 }
+Term sqrt(const Term& argument) {
+  return Function{"sqrt", {}}(argument);
+}
 
 Term abs(const Term& argument) {
   return Function{"abs", {}}(argument);

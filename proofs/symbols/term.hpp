@@ -6,6 +6,8 @@
 // and with it lose what was printed and the places at which a misprint can sit.)
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -91,10 +93,17 @@ struct Function {
   [[nodiscard]] Term operator()(const Term& argument) const;
 };
 
+// What every paper has, and nothing else may be called.
+inline constexpr std::array elementary_functions{"cos", "sin", "tan", "exp", "sqrt"};
+[[nodiscard]] inline bool is_elementary(std::string_view name) {
+  return std::ranges::find(elementary_functions, name) != elementary_functions.end();
+}
 [[nodiscard]] Term cos(const Term& argument);
 [[nodiscard]] Term sin(const Term& argument);
 [[nodiscard]] Term tan(const Term& argument);
 [[nodiscard]] Term exp(const Term& argument);
+// The number that is not negative and whose square is the argument.
+[[nodiscard]] Term sqrt(const Term& argument);
 // |argument|: printed and evaluated in balls, but the kernel has no term for it.
 [[nodiscard]] Term abs(const Term& argument);
 // 1 or -1, the sign of the argument; only for times at which that is not 0.

@@ -37,16 +37,22 @@ std::string name_of(const std::string& name, Style style) {
 }
 
 bool is_elementary(const Term& term) {
-  constexpr std::array names{"cos", "sin", "tan", "exp"};
-  return term.op() == Op::function && std::ranges::count(names, term.name()) > 0;
+  return term.op() == Op::function && symbols::is_elementary(term.name());
+}
+// What is printed around its argument: |x|, and the root of x, to which exponents stand behind.
+bool is_around(const Term& term) {
+  return term.op() == Op::function && (term.name() == "abs" || term.name() == "sqrt");
 }
 
 // H_1(t), H_1^{2}(t), F'(t), \cos(\omega t): `decoration` stands between name and argument.
 std::string application(const Term& function, const std::string& decoration, Style style) {
   const std::string argument = print(function.arguments().front(), style).text;
-  if (function.name() == "abs") {
-    return style == Style::latex ? fmt::format("\\left|{}\\right|{}", argument, decoration)
-                                 : fmt::format("|{}|{}", argument, decoration);
+  if (is_around(function)) {
+    const bool root = function.name() == "sqrt";
+    const std::string shown = style == Style::latex
+                                  ? (root ? "\\sqrt{" + argument + "}" : "\\left|" + argument + "\\right|")
+                                  : (root ? "sqrt(" + argument + ")" : "|" + argument + "|");
+    return shown + decoration;
   }
   const std::string name = style == Style::text        ? function.name()
                            : is_elementary(function)   ? "\\" + function.name()
@@ -105,7 +111,7 @@ Piece print_power(const Term& power, Style style) {
   const Term& base = power.arguments().front();
   const std::string exponent = style == Style::latex ? fmt::format("^{{{}}}", power.number().get_str())
                                                      : "^" + power.number().get_str();
-  const bool like_arccos = is_elementary(base) && power.number() < 0;
+  const bool like_arccos = is_elementary(base) && !is_around(base) && power.number() < 0;
   if (base.op() == Op::function && !like_arccos) {
     return {application(base, exponent, style), atom_binding};
   }
@@ -121,7 +127,7 @@ Piece print_derivative(const Term& term, Style style) {
     primes += "'";
     inside = Term(inside.arguments().front());
   }
-  if (inside.op() == Op::function && equal(inside.arguments().front(), scalar("t"))) {
+  if (inside.op() == Op::function && !is_around(inside) && equal(inside.arguments().front(), scalar("t"))) {
     return {application(inside, primes, style), atom_binding};
   }
   const bool once = primes.size() == 1;

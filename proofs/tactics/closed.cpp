@@ -18,38 +18,38 @@ namespace {
 
 constexpr long bits = 256;
 
-Theorem equation(const Formula& formula) {
+Theorem equation(const Formula& formula, const Ranges& ranges) {
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
   if (a == b) {
     return Theorem::reflexive(a);
   }
-  return without_hypotheses(Theorem::combination(formula, {}, definitions_in({formula})));
+  return without_hypotheses(Theorem::combination(formula, {}, definitions_in({formula})), ranges);
 }
 
 // a < b or a ≤ b, the latter also as a = b.
-Theorem inequality(const Formula& formula) {
-  if (const auto by_balls = attempt([&] { return Theorem::sign(formula, {}, bits); })) {
+Theorem inequality(const Formula& formula, const Ranges& ranges) {
+  if (const auto by_balls = attempt([&] { return Theorem::sign(formula, ranges, bits); })) {
     return *by_balls;
   }
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
   if (formula.kind() == Kind::less) {
     throw KernelError("it does not hold, or is not decided in balls: " + to_string(formula));
   }
-  return Theorem::consequence({equation(equal(a, b)), Theorem::trichotomy(a, b)}, formula);
+  return Theorem::consequence({equation(equal(a, b), ranges), Theorem::trichotomy(a, b)}, formula);
 }
 
 // Two matrices differ in an entry.
-Theorem difference(const Formula& formula) {
+Theorem difference(const Formula& formula, const Ranges& ranges) {
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
   const Type& type = a.type();
   if (type.is_scalar()) {
-    return Theorem::sign(negation(formula), {}, bits);
+    return Theorem::sign(negation(formula), ranges, bits);
   }
   const Variable A{"A", type}, B{"B", type};  // of any two: what a and b are made of need not be looked into
   for (int i = 0; i < type.rows; ++i) {
     for (int j = 0; j < type.columns; ++j) {
       const auto found = attempt([&] {
-        const Theorem differs = Theorem::sign(negation(equal(entry(a, i, j), entry(b, i, j))), {}, bits);
+        const Theorem differs = Theorem::sign(negation(equal(entry(a, i, j), entry(b, i, j))), ranges, bits);
         const Formula all = equal(A, B);
         const Theorem row =
             Theorem::combination(equal(entry(A, i, j), entry(B, i, j)),
@@ -59,7 +59,7 @@ Theorem difference(const Formula& formula) {
         return Theorem::consequence({here, differs}, negation(formula));
       });
       if (found) {
-        return without_hypotheses(*found);
+        return without_hypotheses(*found, ranges);
       }
     }
   }
@@ -67,23 +67,24 @@ Theorem difference(const Formula& formula) {
 }
 
 // By trichotomy, from the opposite inequality.
-Theorem not_below(const Formula& formula) {
+Theorem not_below(const Formula& formula, const Ranges& ranges) {
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
-  const Theorem opposite = certainly(formula.kind() == Kind::less ? at_most(b, a) : less(b, a));
+  const Theorem opposite = certainly(formula.kind() == Kind::less ? at_most(b, a) : less(b, a), ranges);
   return Theorem::consequence({opposite, Theorem::trichotomy(a, b)}, negation(formula));
 }
 
 // Of each part, or of one of them.
-Theorem of_all(const Formula& formula, Theorem (*one)(const Formula&), const Formula& conclusion) {
+using Decide = Theorem (*)(const Formula&, const Ranges&);
+Theorem of_all(const Formula& formula, Decide one, const Ranges& ranges, const Formula& conclusion) {
   std::vector<Theorem> parts;
   for (const Formula& part : formula.parts()) {
-    parts.push_back(one(part));
+    parts.push_back(one(part, ranges));
   }
   return Theorem::consequence(parts, conclusion);
 }
-Theorem of_one(const Formula& formula, Theorem (*one)(const Formula&), const Formula& conclusion) {
+Theorem of_one(const Formula& formula, Decide one, const Ranges& ranges, const Formula& conclusion) {
   for (const Formula& part : formula.parts()) {
-    if (const auto found = attempt([&] { return one(part); })) {
+    if (const auto found = attempt([&] { return one(part, ranges); })) {
       return Theorem::consequence({*found}, conclusion);
     }
   }
@@ -92,48 +93,58 @@ Theorem of_one(const Formula& formula, Theorem (*one)(const Formula&), const For
 
 }  // namespace
 
-Theorem certainly(const Formula& formula) {
+Theorem certainly(const Formula& formula, const Ranges& ranges) {
   switch (formula.kind()) {
     case Kind::equal:
-      return equation(formula);
+      return equation(formula, ranges);
     case Kind::less:
     case Kind::at_most:
-      return inequality(formula);
+      return inequality(formula, ranges);
     case Kind::negation:
-      return certainly_not(formula.parts()[0]);
+      return certainly_not(formula.parts()[0], ranges);
     case Kind::conjunction:
-      return of_all(formula, certainly, formula);
+      return of_all(formula, certainly, ranges, formula);
     case Kind::disjunction:
-      return of_one(formula, certainly, formula);
+      return of_one(formula, certainly, ranges, formula);
     case Kind::exists:
-      return there_are_slopes(formula, without_hypotheses, certainly);
+      return there_are_slopes(
+          formula, [&](const Theorem& slope) { return without_hypotheses(slope, ranges); },
+          [&](const Formula& one) { return certainly(one, ranges); });
     default:
       throw KernelError("it is not decided at one point: " + to_string(formula));
   }
 }
 
-Theorem certainly_not(const Formula& formula) {
+Theorem certainly_not(const Formula& formula, const Ranges& ranges) {
   switch (formula.kind()) {
     case Kind::equal:
-      return difference(formula);
+      return difference(formula, ranges);
     case Kind::less:
     case Kind::at_most:
-      return not_below(formula);
+      return not_below(formula, ranges);
     case Kind::negation:
-      return Theorem::consequence({certainly(formula.parts()[0])}, negation(formula));
+      return Theorem::consequence({certainly(formula.parts()[0], ranges)}, negation(formula));
     case Kind::conjunction:
-      return of_one(formula, certainly_not, negation(formula));
+      return of_one(formula, certainly_not, ranges, negation(formula));
     case Kind::disjunction:
-      return of_all(formula, certainly_not, negation(formula));
+      return of_all(formula, certainly_not, ranges, negation(formula));
     case Kind::exists:
-      return there_are_no_slopes(formula, certainly_not);
+      return there_are_no_slopes(formula, [&](const Formula& one) { return certainly_not(one, ranges); });
     default:
       throw KernelError("it is not decided at one point: " + to_string(formula));
   }
 }
 
-Theorem without_hypotheses(const Theorem& theorem) {
-  return settled_by(theorem, certainly);
+Theorem without_hypotheses(const Theorem& theorem, const Ranges& ranges) {
+  const auto is_range = [&](const Formula& one) {
+    return std::ranges::any_of(ranges, [&](const auto& range) {
+      const auto& [x, ends] = range;
+      return one == at_most(ends.first, x) || one == at_most(x, ends.second);
+    });
+  };
+  return settled_by(theorem, [&](const Formula& one) {
+    return is_range(one) ? std::nullopt : std::optional(certainly(one, ranges));
+  });
 }
 
 namespace {

@@ -1,5 +1,5 @@
-// Formulas without variables: whether they hold, as theorems. Inequalities are decided in balls, equations by
-// normal form.
+// Formulas without variables, but for some in ranges: whether they hold, as theorems. Inequalities are
+// decided in balls, equations by normal form.
 #pragma once
 
 #include <map>
@@ -12,12 +12,13 @@ namespace stickslip::proofs::tactics {
 // The formula, made of relations between numbers and matrices by and, or, not, and of rates (slopes.hpp).
 // Throws KernelError where it is false or not decided: it has a variable or another quantifier, two numbers
 // are too close to tell, or are equal and no normal form says so.
-[[nodiscard]] Theorem certainly(const Formula& formula);
+// The theorem rests on l <= x and x <= u for variables in ranges.
+[[nodiscard]] Theorem certainly(const Formula& formula, const kernel::Ranges& ranges = {});
 // Its negation.
-[[nodiscard]] Theorem certainly_not(const Formula& formula);
-// The theorem less those of its hypotheses that are of this kind and hold. Throws KernelError where one of
-// the hypotheses is not decided.
-[[nodiscard]] Theorem without_hypotheses(const Theorem& theorem);
+[[nodiscard]] Theorem certainly_not(const Formula& formula, const kernel::Ranges& ranges = {});
+// The theorem less those of its hypotheses that are of this kind and hold, but for the ranges. Throws
+// KernelError where one of the hypotheses is not decided.
+[[nodiscard]] Theorem without_hypotheses(const Theorem& theorem, const kernel::Ranges& ranges = {});
 
 // Terms in floating point at a point that is made up: what is not even nearly zero there need not be tried.
 

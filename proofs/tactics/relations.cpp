@@ -52,6 +52,30 @@ Theorems of_use(const Formula& goal, const Theorems& known) {
   return result;
 }
 
+// What is known of the letters of the goal, and of what is said of these: nothing of what stands within its
+// sines, cosines and exponentials alone.
+Theorems of_letters(const Formula& goal, const Theorems& known) {
+  const auto letters_of = [](const Formula& one) {
+    const std::vector<Term> all = Letters({gap_of(one)}).terms();
+    return std::set<Term>(all.begin(), all.end());
+  };
+  std::set<Term> met = letters_of(goal);
+  Theorems result, rest = known;
+  for (bool changed = true; changed;) {
+    changed = std::erase_if(rest, [&](const Theorem& one) {
+                std::set<Term> letters = letters_of(one.conclusion());
+                const bool taken =
+                    std::ranges::any_of(letters, [&](const Term& x) { return met.contains(x); });
+                if (taken) {
+                  result.push_back(one);
+                  met.merge(letters);
+                }
+                return taken;
+              }) > 0;
+  }
+  return result;
+}
+
 // Whether it is negative at a point where the inequalities that are known hold, as far as floating point can
 // tell: then no proof need be looked for.
 bool seems_negative(const Term& a, const Theorems& known) {
@@ -474,6 +498,12 @@ Theorem by_factors(const Term& f, const Theorem& known, const Theorems& inequali
 }  // namespace
 
 Theorem inequality(const Formula& inequality, const std::vector<Theorem>& known) {
+  const Theorems few = of_letters(inequality, known);
+  if (few.size() < known.size()) {
+    if (const auto theorem = attempt([&] { return Search().decided(inequality, few); })) {
+      return *theorem;
+    }
+  }
   if (const auto theorem = attempt([&] { return Search().decided(inequality, known); })) {
     return *theorem;
   }

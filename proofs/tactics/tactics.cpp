@@ -209,6 +209,15 @@ Theorem below_by_squares(const Theorem& squares, const Theorem& not_negative, co
                               less(a, b));
 }
 
+Theorem at_most_by_squares(const Theorem& squares, const Theorem& not_negative, const Term& a,
+                           const Term& b) {
+  const Formula wrong = less(b, a);
+  const Theorem assumed = Theorem::assume(wrong);
+  const Theorem none = Theorem::order(
+      less(0, 0), {Positive{{assumed, assumed}}, Positive{{assumed, not_negative}, 2}, Positive{{squares}}});
+  return Theorem::consequence({impossible(wrong, none), Theorem::trichotomy(a, b)}, at_most(a, b));
+}
+
 Theorem by_normal_form(const Formula& equation, const Definitions& unfolded, const Domain& domain) {
   return nonzero(Theorem::combination(equation, {}, unfolded), domain);
 }

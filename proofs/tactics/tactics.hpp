@@ -148,6 +148,9 @@ using Lemma = std::function<std::optional<Theorem>(const Formula& hypothesis)>;
 // a² < b² and 0 ≤ b (or 0 < b) give a < b.
 [[nodiscard]] Theorem below_by_squares(const Theorem& squares, const Theorem& not_negative, const Term& a,
                                        const Term& b);
+// a² ≤ b² and 0 ≤ b give a ≤ b.
+[[nodiscard]] Theorem at_most_by_squares(const Theorem& squares, const Theorem& not_negative, const Term& a,
+                                         const Term& b);
 
 // ---- Algebra: the kernel's rules, then nonzero().
 [[nodiscard]] Theorem by_normal_form(const Formula& equation, const Definitions& unfolded,

@@ -15,6 +15,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/automatic.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/symbols/parse.hpp"
@@ -34,7 +35,14 @@ namespace {
 constexpr std::size_t longest_file = 4000000;
 
 // What the notation has for the symbols of every paper.
-constexpr std::array functions_of_all{"cos", "sin", "tan", "exp", "sign"};
+const std::vector<std::string>& functions_of_all() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all(symbols::elementary_functions.begin(), symbols::elementary_functions.end());
+    all.emplace_back("sign");
+    return all;
+  }();
+  return names;
+}
 
 // An entry, which begins in the first column, and the lines that are indented below it.
 struct Line {
@@ -226,7 +234,7 @@ class Reading {
                         {"doi", &source.doi},
                         {"text", &source.text}});
     names_ = {};
-    for (const char * function : functions_of_all) {
+    for (const std::string& function : functions_of_all()) {
       names_.functions.emplace(function, symbols::Shape{});
     }
     names_.quantities = {{"pi", {}}, {"t", {}}};
@@ -632,6 +640,10 @@ class Reading {
       fail(fmt::format("the claim {} has words for {} parts, and states {} things", claim.id,
                        claim.parts.size(), stated));
     }
+    {
+      const symbols::InVocabulary scope(paper_.vocabulary);
+      claim = with_roots(std::move(claim));
+    }
     prove(claim, proofs);
     state(claim);
     context_->said.emplace(claim.id, form_of(claim));
@@ -777,7 +789,7 @@ class Reading {
 
   void make_vocabulary() {
     std::vector<symbols::Symbol> rows = rows_;
-    for (const char * function : functions_of_all) {
+    for (const std::string& function : functions_of_all()) {
       rows.push_back({.name = function, .of_time = true});
     }
     rows.push_back({.name = "pi"});

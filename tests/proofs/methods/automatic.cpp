@@ -145,8 +145,78 @@ TEST_CASE("exponentials: identities, derivatives, inequalities") {
   CHECK(truth("d/dt[x exp(-t)] <= 0") != Truth::proved);
   CHECK(truth("exp(x)^2 = exp(3 x)") == Truth::refuted);
   CHECK(truth("exp(1) = 2.7182818") == Truth::refuted);
+  CHECK(truth("exp(1) = 2.718281828459045235360287") == Truth::refuted);
+  CHECK(truth("x != 1", {"x = 1.000000000000000000001 - 10^-21"}) == Truth::refuted);
   CHECK(reason_of({"d/dt[1/t] = -1/t^2", {"t > 0"}, {}}) ==
         "a derivative is one at all times, and here it divides by t");
+}
+
+TEST_CASE("square roots: where they are numbers, and no root of what changes with time") {
+  const std::vector<std::string> own{"a", "b", "x", "y", "zeta"};
+  const auto truth = [&](const std::string& line, const std::vector<std::string>& assumptions = {}) {
+    return truth_of(line, assumptions, own);
+  };
+  CHECK(truth("sqrt(x)^2 = x") == Truth::proved);
+  CHECK(truth("sqrt(x^2) = |x|") == Truth::proved);
+  CHECK(truth("sqrt(x y) = sqrt(x) sqrt(y)") == Truth::proved);
+  CHECK(truth("√(3 + 2 √(2)) = 1 + √(2)") == Truth::proved);
+  CHECK(truth("1/(sqrt(x) + 1) = (sqrt(x) - 1)/(x - 1)") == Truth::proved);
+  CHECK(record_of({"1/(sqrt(x) + 1) = (sqrt(x) - 1)/(x - 1)", {}, own}).status == Status::where_defined);
+  CHECK(truth("x = sqrt(y)", {"x^2 = y", "x >= 0"}) == Truth::proved);
+  CHECK(truth("x = sqrt(y)", {"x^2 = y"}) == Truth::refuted);
+  CHECK(truth("x^2 - 2 x - 1 = 0", {"x = 1 + sqrt(2)"}) == Truth::proved);
+  // Inequalities: by squares, in balls, and by what is known of roots.
+  CHECK(truth("sqrt(x) < sqrt(y)", {"x < y"}) == Truth::proved);
+  CHECK(truth("sqrt(x) < sqrt(y)", {"x <= y"}) == Truth::refuted);
+  CHECK(truth("sqrt(x y) <= (x + y)/2", {"x >= 0", "y >= 0"}) == Truth::proved);
+  CHECK(truth("(a + b)/sqrt(2) <= sqrt(a^2 + b^2) <= a + b", {"a >= 0", "b >= 0"}) == Truth::proved);
+  CHECK(truth("sqrt(1 + x) <= 1 + x/2") == Truth::proved);
+  CHECK(truth("x != sqrt(x)", {"x > 1"}) == Truth::proved);
+  CHECK(truth("x/sqrt(1 + x^2) < 1") == Truth::proved);
+  CHECK(truth("a cos(t) + b sin(t) <= sqrt(a^2 + b^2)") == Truth::proved);
+  CHECK(truth("a cos(t) + b sin(t) <= sqrt(a^2 + b^2/2)") == Truth::refuted);
+  CHECK(truth("sqrt((1 - x^2)^2 + 4 zeta^2 x^2) >= 2 zeta sqrt(1 - zeta^2)", {"zeta > 0"}) == Truth::proved);
+  CHECK(truth("sqrt((1 - x^2)^2 + 4 zeta^2 x^2) >= 2 zeta", {"0 < zeta < 1"}) == Truth::refuted);
+  CHECK(truth("a^2 + b^2 > 0", {"a != 0"}) == Truth::proved);
+  CHECK(truth("a^2 + b^2 > 0") == Truth::refuted);
+  CHECK(truth("1.41421356237309504 < sqrt(2) < 1.41421356237309505") == Truth::proved);
+  CHECK(truth("sqrt(sqrt(x)) < 1.19", {"x = 2"}) == Truth::proved);
+  CHECK(truth("sin(sqrt(1 + sqrt(2))) > 1", {}) == Truth::refuted);
+  CHECK(truth("sqrt(|x|) > 1.4", {"x = -2"}) != Truth::refuted);
+  // The damped motion with its frequency written out; a rate or an interval over which a root changes is not
+  // read.
+  const auto equation = [](const std::string& frequency) {
+    const std::string motion = "exp(-zeta t) cos(" + frequency + " t)";
+    return "d^2/dt^2[" + motion + "] + 2 zeta d/dt[" + motion + "] + " + motion + " = 0";
+  };
+  CHECK(truth(equation("sqrt(1 - zeta^2)")) == Truth::proved);
+  CHECK(truth(equation("sqrt(1 + zeta^2)")) == Truth::refuted);
+  CHECK(truth("d/dt[sqrt(t)] = 0") == Truth::undecided);
+  CHECK(reason_of({"d/dt[t sqrt(1 + t^2)] = 0", {}, own}) ==
+        "a root that changes with the time has no reading here: sqrt(1 + t^2)");
+  CHECK(reason_of({"sqrt(t) < 1, 0 < t < 1", {}, own}) ==
+        "a root that changes with the time has no reading here: sqrt(t)");
+  CHECK(reason_of({"d/dt[x1(t)] = sqrt(t), 0 < t < 1", {}, own}) ==
+        "a root that changes with the time has no reading here: sqrt(t)");
+  // Of what is negative there is none: nothing is said then, be it true or false.
+  CHECK(truth("sqrt(-1)^2 = -1") == Truth::undecided);
+  CHECK(truth("sqrt(-1 - x^2) = 5") == Truth::undecided);
+  CHECK(truth("x = 5", {"y = sqrt(-x^2 - 1)"}) == Truth::undecided);
+  // False ones.
+  CHECK(truth("sqrt(x^2) = x") == Truth::refuted);
+  CHECK(truth("sqrt(x + y) = sqrt(x) + sqrt(y)") == Truth::refuted);
+  CHECK(truth("sqrt(2) + sqrt(3) = sqrt(5)") == Truth::refuted);
+  CHECK(truth("sqrt(3 - 2 sqrt(2)) = 1 - sqrt(2)") == Truth::refuted);
+  CHECK(truth("sqrt(2) = 1.41421356237309504") == Truth::refuted);
+  CHECK(truth("sqrt(x) > 0") == Truth::refuted);
+  CHECK(truth("sqrt(x) <= x", {"x > 1/2"}) == Truth::refuted);
+  CHECK(truth("x > sqrt(2)", {"x^2 = 3"}) != Truth::proved);
+  CHECK(truth("sqrt(cos(x)^2) = cos(x)") == Truth::refuted);
+  // A repair has roots that are numbers: sqrt(-3 - 2 sqrt(2)) is none.
+  const Record repaired = record_of({"sqrt(3 - 2 sqrt(2)) = 1 - sqrt(2)", {}, own});
+  CHECK(std::ranges::all_of(repaired.repairs, [](const Repair& one) {
+    return text(one.statement).find("sqrt(-3 - 2") == std::string::npos;
+  }));
 }
 
 TEST_CASE("what is a factor of zero is zero where the others are not") {

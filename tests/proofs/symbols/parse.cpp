@@ -158,7 +158,7 @@ class Draw {
       case 6:
         return power(number(depth - 1), below(4) - 1);
       case 7:
-        return std::vector<Term (*)(const Term&)>{cos, exp, abs}[index(3)](number(depth - 1));
+        return std::vector<Term (*)(const Term&)>{cos, exp, sqrt, abs}[index(4)](number(depth - 1));
       case 8:
         return determinant(matrix(depth - 1));
       default:
