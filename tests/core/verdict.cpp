@@ -32,4 +32,8 @@ TEST_CASE("a refutation shows as many digits as tell both sides apart") {
   CHECK(reason.starts_with("the left side is 3.1415926535897932385 "));
   CHECK(reason.find("the right side is 3.1415926535897932395 ") != std::string::npos);
   CHECK(Verdict::refuted(Witness{{}, "", pi, pi}).reason.starts_with("the left side is 3.141592654 "));
+  // 1 is exact, and 1.000000000 would say the same.
+  const Ball beside = Ball(1) + Ball(1) / Ball(1000000000) / Ball(10000);
+  CHECK(Verdict::refuted(Witness{{}, "", Ball(1), beside}).reason.find("is 1.0000000000001") !=
+        std::string::npos);
 }
