@@ -23,7 +23,7 @@ class Jobs {
   tbb::global_control limit_;
 };
 
-// For the first line of what a thread of one's own does: when the thread ends, and all that it kept is gone,
+// Comes first in what a thread does beside the others: when the thread ends, and all that it kept is gone,
 // FLINT gives back what it kept for it. Numbers made there may live on.
 inline void give_numbers_back_at_end() {
   struct Cleanup {
@@ -53,6 +53,7 @@ template <class F>
   done.store(0, std::memory_order_release);
   const InOrder after{done};
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
+    give_numbers_back_at_end();
     (void)done.load(std::memory_order_acquire);
     const InOrder before{done};
     const WorkingPrecision scope(bits);

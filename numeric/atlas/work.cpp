@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "numeric/atlas/judge.hpp"
 
 namespace stickslip::numeric::atlas {
@@ -120,6 +121,7 @@ void work_on_all(const Question& q, const std::vector<Tile>& tiles, const std::f
                  const std::function<void(const std::vector<Leaf>&)>& done) {
   std::mutex one_at_a_time;
   tbb::parallel_for_each(tiles.begin(), tiles.end(), [&](Tile tile, tbb::feeder<Tile>& feeder) {
+    give_numbers_back_at_end();
     if (stop()) {
       return;
     }
