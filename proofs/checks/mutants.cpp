@@ -23,11 +23,6 @@ namespace {
 // A wrong inequality may still hold at most points.
 constexpr std::size_t points_for_equations = 2, points_for_inequalities = 40;
 
-Claim saying(Claim claim, const std::vector<Statement>& statements) {
-  claim.printed = statements;
-  return with_roots(std::move(claim));
-}
-
 // A claim that is proved, and what it takes to put another statement to its proof.
 struct Subject {
   Prover& prover;
@@ -256,8 +251,7 @@ bool has_its_roots(Prover& prover, const Claim& claim) {
 }
 
 // What the edited statement needs that is not seen in it.
-std::string needed(Claim claim, const Statement& edited, const Outcome& outcome) {
-  claim.printed = {edited};
+std::string needed(const Claim& claim, const Outcome& outcome) {
   std::string text;
   for (const Hypothesis& one : outcome.hypotheses) {
     if (!is_seen(one, claim, claim)) {
@@ -276,13 +270,13 @@ std::vector<Repair> repairs(Prover& prover, const Claim& claim, const Statement&
     if (equal(edit.statement.left, edit.statement.right)) {
       continue;  // which says nothing
     }
-    const Outcome outcome = outcome_on(prover, claim, edit.statement);
+    const Claim edited = saying(claim, {edit.statement});
+    const Outcome outcome = edited.prove(prover, edited);
     if (same_refutation(outcome, refuted)) {
       return found;
     }
-    const bool is_proved = outcome.verdict.truth == Truth::proved;
-    if (is_proved && has_its_roots(prover, saying(claim, {edit.statement}))) {
-      found.push_back({edit.what + needed(claim, edit.statement, outcome), edit.statement});
+    if (outcome.verdict.truth == Truth::proved && has_its_roots(prover, edited)) {
+      found.push_back({edit.what + needed(edited, outcome), edit.statement});
     }
   }
   return found;
@@ -304,7 +298,6 @@ void repair(Prover& prover, Record& record) {
     record.repairs.insert(record.repairs.end(), found.begin(), found.end());
   }
   record.claim.corrected = corrected;
-  record.claim = with_roots(std::move(record.claim));
   const Claim reading = saying(record.claim, corrected);
   record.corrected = reading.prove(prover, reading);
 }

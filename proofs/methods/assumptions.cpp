@@ -78,10 +78,10 @@ bool is_of_root(const Assumption& assumption) {
   return assumption.id.starts_with("sqrt(");  // what is named is named by a word
 }
 
-Claim with_roots(Claim claim) {
+Claim saying(Claim claim, std::vector<Statement> statements) {
   std::erase_if(claim.assumptions, is_of_root);
+  claim.printed = std::move(statements);
   std::vector<Statement> said = claim.printed;
-  said.insert(said.end(), claim.corrected.begin(), claim.corrected.end());
   for (const Assumption& one : claim.assumptions) {
     said.push_back(one.statement);
   }
@@ -102,6 +102,24 @@ Claim with_roots(Claim claim) {
     claim.assumptions.push_back({id + ", its sign", {root, 0, Relation::greater_or_equal}});
   }
   return claim;
+}
+
+bool rests_on_other_roots(const kernel::Theorem& theorem, const Claim& claim, const Statement& statement) {
+  Reader read;
+  const auto roots_of = [&](const Claim& one) {
+    kernel::Formulas formulas;
+    for (const Assumption& assumption : one.assumptions) {
+      if (is_of_root(assumption)) {
+        formulas.insert(read(assumption.statement));
+      }
+    }
+    return formulas;
+  };
+  const kernel::Formulas all = roots_of(claim),
+                         own = all.empty() ? all : roots_of(saying(claim, {statement}));
+  return std::ranges::any_of(theorem.hypotheses(), [&](const kernel::Formula& one) {
+    return all.contains(one) && !own.contains(one);
+  });
 }
 
 bool is_substitution(const Assumption& assumption) {

@@ -15,12 +15,15 @@ namespace stickslip::proofs::methods {
 // speak of it.
 [[nodiscard]] bool is_substitution(const Assumption& assumption);
 
-// The claim, which assumes of each root in what it says, sqrt(a), that its square is a and that it is not
-// negative: so it speaks of where its roots are numbers. What it assumed so before, for other roots, is left
-// out.
-[[nodiscard]] Claim with_roots(Claim claim);
+// The claim that prints these statements. Of each root sqrt(a) in them, and in what it assumes, it assumes
+// that its square is a and that it is not negative: so it speaks of where its roots are numbers.
+[[nodiscard]] Claim saying(Claim claim, std::vector<symbols::Statement> statements);
 // Whether the claim assumes this for a root only.
 [[nodiscard]] bool is_of_root(const Assumption& assumption);
+// Whether the theorem, of this statement of the claim, assumes something of roots in other statements: those
+// may be numbers in fewer places.
+[[nodiscard]] bool rests_on_other_roots(const kernel::Theorem& theorem, const Claim& claim,
+                                        const symbols::Statement& statement);
 
 // The names of the symbols with which the term changes. F0 and R mention the load's phase without showing it.
 [[nodiscard]] std::set<std::string> names_in(const symbols::Term& term);

@@ -450,8 +450,7 @@ Proof automatically() {
     std::vector<std::string> routes;
     std::vector<Verdict> verdicts;
     for (const Statement& printed : claim.printed) {
-      Claim one = claim;
-      one.printed = {printed};
+      const Claim one = saying(claim, {printed});
       Outcome found = first_that_proves(prover, one);
       verdicts.push_back(found.verdict);
       if (std::ranges::find(routes, found.route) == routes.end()) {
@@ -496,7 +495,7 @@ Claim own_claim(const OwnStatement& own) {
     }
   }
   claim.prove = automatically();
-  return with_roots(std::move(claim));
+  return saying(claim, claim.printed);
 }
 
 }  // namespace stickslip::proofs::methods

@@ -118,10 +118,11 @@ Derivation::Derivation(Prover& prover, const Claim& claim) : prover_(prover), cl
 // Roots of what is positive, by what is known before, are positive.
 void Derivation::look_at_roots() {
   for (const Assumption& assumption : claim_.assumptions) {
-    if (!is_of_root(assumption) || assumption.statement.relation != symbols::Relation::equal) {
+    const Formula formula = is_of_root(assumption) ? read_(assumption.statement) : at_most(0, 0);
+    if (formula.kind() != kernel::Kind::equal) {  // its sign, or a root of an absolute value
       continue;
     }
-    const Theorem square = Theorem::assume(read_(assumption.statement));
+    const Theorem square = Theorem::assume(formula);
     const Term root = square.conclusion().parts()[0].parts()[0], a = square.conclusion().parts()[1];
     const auto positive = attempt([&] {
       const Theorem squares =
@@ -359,6 +360,9 @@ void Derivation::conclude(Outcome& outcome, const std::vector<Theorem>& theorems
       throw KernelError("a theorem says something else than what is printed");
     }
     const Theorem theorem = settled(theorems[i]);
+    if (rests_on_other_roots(theorem, claim_, printed)) {
+      throw KernelError("it rests on a root that another statement speaks of");
+    }
     record(outcome, theorem);
     outcome.theorems.push_back(theorem);
     record_definitions(outcome, claim_, printed.left);

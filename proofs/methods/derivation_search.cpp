@@ -249,6 +249,12 @@ Theorem Derivation::follows(const Formula& formula) {
     return *theorem;
   }
   const Rule rule = [&](const Problem& one) {
+    const auto as_square = attempt([&] {  // which may be zero
+      return without_divisors(Theorem::order(one.goal, {not_negative(*this, gap_of(one.goal))}));
+    });
+    if (as_square) {
+      return *as_square;
+    }
     const auto as_multiple = first_that_works(one.positives, [&](const Positive& known) {
       const Theorem& inequality = known.inequalities[0];
       const Theorem factor = positive(quotient(gap_of(one.goal), gap_of(inequality.conclusion())));

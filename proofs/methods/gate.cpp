@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/reading.hpp"
 
@@ -50,6 +51,8 @@ class Gate {
       const Theorem& theorem = outcome_.theorems[i];
       require(form_.empty() || theorem.conclusion() == read_(form_[i]),
               "a theorem says something else than what is printed: " + to_string(theorem.conclusion()));
+      require(form_.empty() || !rests_on_other_roots(theorem, claim_, form_[i]),
+              "it rests on a root that another statement speaks of");
       rests_on_what_is_said(theorem);
     }
   }
@@ -57,12 +60,12 @@ class Gate {
   void refuted() {
     require(outcome_.theorems.size() == 1, "the refutation is not one theorem");
     const Theorem& theorem = outcome_.theorems[0];
-    const Formulas assumed = form_.empty() ? Formulas{} : assumed_by(claim_);
+    const Formulas assumed = form_.empty() ? Formulas{} : assumed_by(saying(claim_, {}));
     require((!form_.empty() && assumed.empty()) || says_that_there_are_values(theorem, assumed),
             "where it is refuted need not lie in the domain, or obey what is assumed");
     require(form_.empty() || std::ranges::any_of(form_,
                                                  [&](const auto& one) {
-                                                   Formulas all = assumed_by(claim_);
+                                                   Formulas all = assumed_by(saying(claim_, {one}));
                                                    all.insert(negation(read_(one)));
                                                    add_domain(all);
                                                    return says_that_there_are_values(theorem, all);

@@ -352,11 +352,12 @@ Claim with_hypotheses(const Claim& claim, const std::vector<Hypothesis>& hypothe
 std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim, const Statement& printed,
                                         const std::optional<Statement>& where,
                                         const std::optional<Statement>& doubted) {
-  Claim there = claim;
+  const Claim alone = saying(claim, {printed});
+  Claim there = alone;
   if (where) {
     there.assumptions.push_back({"where", *where});
   }
-  const auto said = said_at_point(prover, there, assumed_statements(claim), printed, doubted);
+  const auto said = said_at_point(prover, there, assumed_statements(alone), printed, doubted);
   if (!said) {
     return std::nullopt;
   }

@@ -187,8 +187,7 @@ Record Prover::proved(const Claim& claim) {
   record.outcome = claim.prove ? claim.prove(*this, claim) : taken_as_given(claim);
   look_for_witness(record.outcome, *this, claim);
   if (record.outcome.verdict.truth == Truth::refuted && claim.prove_corrected) {
-    Claim reading = claim;
-    reading.printed = reading.corrected;
+    const Claim reading = saying(claim, claim.corrected);
     record.corrected = reading.prove_corrected(*this, reading);
   } else if (record.outcome.verdict.truth == Truth::refuted && !claim.printed.empty()) {
     repair(*this, record);
@@ -200,7 +199,8 @@ Record Prover::proved(const Claim& claim) {
                               (!record.converse || inherit(*record.converse, claim));
   confirm(record.outcome, claim, claim.printed, {});
   if (record.corrected) {
-    confirm(*record.corrected, record.claim, record.claim.corrected, record.outcome.theorems);
+    confirm(*record.corrected, saying(claim, record.claim.corrected), record.claim.corrected,
+            record.outcome.theorems);
   }
   if (record.converse) {
     confirm(*record.converse, claim, {}, {});
@@ -250,8 +250,7 @@ void Prover::confirm(Outcome& outcome, const Claim& claim, const std::vector<Sta
     return;
   }
   pass_gate(*this, claim, form, outcome);
-  Claim reading = claim;
-  reading.printed = form;
+  const Claim reading = saying(claim, form);
   outcome.cross_check = cross_check(*this, reading, outcome);
   if (truth == Truth::proved) {
     look_for_values(outcome, reading, refutation);

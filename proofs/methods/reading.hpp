@@ -17,7 +17,7 @@ namespace stickslip::proofs::methods {
 // has a formula for it, a definition in what it depends on: chi is chi(omega1, omega2), H(t) is H(t, omega1,
 // omega2), F_0 is F0(omega, phi, …). The motion is a function of time, X(t) = (x1, x2, x1', x2')(t); Z(t) and
 // Zbar(t) are X(t) seen from the places of rest. The kernel has no roots: sqrt(a) is a variable, of which a
-// claim assumes that its square is a and that it is not negative (with_roots in assumptions.hpp). Throws
+// claim assumes that its square is a and that it is not negative (saying() in assumptions.hpp). Throws
 // symbols::NoValue for what has no meaning, and where a root would change with the time of a rate or an
 // interval.
 class Reader {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <random>
+#include <set>
 #include <utility>
 
 #include "proofs/tactics/closed.hpp"
@@ -31,17 +33,18 @@ Formula is_positive(const Term& a, bool strictly) {
   return strictly ? less(0, a) : at_most(0, a);
 }
 
-// What is known of what stands in the goal, and of what stands in that.
-Theorems of_use(const Formula& goal, const Theorems& known) {
-  constexpr std::size_t most = 16;
-  Variables met = goal.variables();
+// What is known of what the goal speaks of, and of what is said of that, as far as `spoken_of` says of what a
+// formula speaks.
+template <class SpokenOf>
+Theorems of_use(const Formula& goal, const Theorems& known, const SpokenOf& spoken_of,
+                std::size_t most = std::numeric_limits<std::size_t>::max()) {
+  auto met = spoken_of(goal);
   Theorems result, rest = known;
   for (bool changed = true; changed && result.size() < most;) {
     changed = std::erase_if(rest, [&](const Theorem& one) {
-                const Variables& in_it = one.conclusion().variables();
-                const bool taken = result.size() < most && std::ranges::any_of(in_it, [&](const Variable& x) {
-                                     return met.contains(x);
-                                   });
+                const auto in_it = spoken_of(one.conclusion());
+                const bool taken = result.size() < most &&
+                                   std::ranges::any_of(in_it, [&](const auto& x) { return met.contains(x); });
                 if (taken) {
                   result.push_back(one);
                   met.insert(in_it.begin(), in_it.end());
@@ -52,28 +55,10 @@ Theorems of_use(const Formula& goal, const Theorems& known) {
   return result;
 }
 
-// What is known of the letters of the goal, and of what is said of these: nothing of what stands within its
-// sines, cosines and exponentials alone.
-Theorems of_letters(const Formula& goal, const Theorems& known) {
-  const auto letters_of = [](const Formula& one) {
-    const std::vector<Term> all = Letters({gap_of(one)}).terms();
-    return std::set<Term>(all.begin(), all.end());
-  };
-  std::set<Term> met = letters_of(goal);
-  Theorems result, rest = known;
-  for (bool changed = true; changed;) {
-    changed = std::erase_if(rest, [&](const Theorem& one) {
-                std::set<Term> letters = letters_of(one.conclusion());
-                const bool taken =
-                    std::ranges::any_of(letters, [&](const Term& x) { return met.contains(x); });
-                if (taken) {
-                  result.push_back(one);
-                  met.merge(letters);
-                }
-                return taken;
-              }) > 0;
-  }
-  return result;
+// The letters of both sides: nothing of what stands within their sines, cosines and exponentials alone.
+std::set<Term> letters_of(const Formula& formula) {
+  const std::vector<Term> all = Letters({gap_of(formula)}).terms();
+  return {all.begin(), all.end()};
 }
 
 // Whether it is negative at a point where the inequalities that are known hold, as far as floating point can
@@ -199,7 +184,9 @@ class Search {
     if (a.variables().empty()) {
       return certainly(goal);
     }
-    const Theorems here = of_use(goal, known);
+    constexpr std::size_t most = 16;
+    const Theorems here = of_use(
+        goal, known, [](const Formula& one) { return one.variables(); }, most);
     if (work_ < 0 || seems_negative(a, here)) {
       throw KernelError("it does not hold");
     }
@@ -498,7 +485,7 @@ Theorem by_factors(const Term& f, const Theorem& known, const Theorems& inequali
 }  // namespace
 
 Theorem inequality(const Formula& inequality, const std::vector<Theorem>& known) {
-  const Theorems few = of_letters(inequality, known);
+  const Theorems few = of_use(inequality, known, letters_of);
   if (few.size() < known.size()) {
     if (const auto theorem = attempt([&] { return Search().decided(inequality, few); })) {
       return *theorem;

@@ -642,7 +642,7 @@ class Reading {
     }
     {
       const symbols::InVocabulary scope(paper_.vocabulary);
-      claim = with_roots(std::move(claim));
+      claim = saying(claim, claim.printed);
     }
     prove(claim, proofs);
     state(claim);

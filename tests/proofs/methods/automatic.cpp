@@ -151,6 +151,16 @@ TEST_CASE("exponentials: identities, derivatives, inequalities") {
         "a derivative is one at all times, and here it divides by t");
 }
 
+TEST_CASE("a square may be zero") {
+  for (const std::string assumed : {"x = y^2", "y^2 = x", "y = sqrt(x)"}) {
+    CAPTURE(assumed);
+    const Record record = record_of({"x >= 0", {assumed}, {"x", "y"}});
+    CHECK(record.status == Status::proved);
+    CHECK(record.outcome.hypotheses.empty());
+    CHECK(truth_of("x > 0", {assumed}, {"x", "y"}) == Truth::refuted);
+  }
+}
+
 TEST_CASE("square roots: where they are numbers, and no root of what changes with time") {
   const std::vector<std::string> own{"a", "b", "x", "y", "zeta"};
   const auto truth = [&](const std::string& line, const std::vector<std::string>& assumptions = {}) {
@@ -212,6 +222,9 @@ TEST_CASE("square roots: where they are numbers, and no root of what changes wit
   CHECK(truth("sqrt(x) <= x", {"x > 1/2"}) == Truth::refuted);
   CHECK(truth("x > sqrt(2)", {"x^2 = 3"}) != Truth::proved);
   CHECK(truth("sqrt(cos(x)^2) = cos(x)") == Truth::refuted);
+  // A root is a number where its statement is true or not, and says nothing of another statement.
+  CHECK(truth("0 <= x <= sqrt(x)^2") == Truth::refuted);
+  CHECK(truth("0 <= x <= sqrt(x)^2", {"y = sqrt(x)"}) == Truth::proved);
   // A repair has roots that are numbers: sqrt(-3 - 2 sqrt(2)) is none.
   const Record repaired = record_of({"sqrt(3 - 2 sqrt(2)) = 1 - sqrt(2)", {}, own});
   CHECK(std::ranges::all_of(repaired.repairs, [](const Repair& one) {

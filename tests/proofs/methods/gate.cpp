@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "proofs/kernel/theorem.hpp"
+#include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/methods.hpp"
@@ -68,6 +69,27 @@ TEST_CASE("what is called a definition is a theorem, or no claim") {
   Claim taken = defining({equation(tau, 1)});
   taken.prove = {};
   CHECK(record(taken).status == Status::model);
+}
+
+TEST_CASE("a root that one statement speaks of is no number for another") {
+  const Statement positive{tau, 0, Relation::greater_or_equal};
+  const Statement of_root = equation(power(sqrt(tau), 2), tau);
+  // tau >= 0 from sqrt(tau)^2 = tau, of a claim that states both.
+  const auto by_the_root = [&](Prover& prover, const Claim& claim) {
+    Outcome outcome{.verdict = Verdict::proved(), .by_kernel = true};
+    Derivation derivation(prover, claim);
+    const kernel::Theorem square = kernel::Theorem::assume(derivation.read(of_root));
+    const kernel::Term root = square.conclusion().parts()[0].parts()[0];
+    outcome.theorems = {
+        kernel::Theorem::order(derivation.printed(0), {kernel::Positive{{}, 1, root}}, {{square, -1}}),
+        square};
+    return outcome;
+  };
+  Claim both = saying({.id = "both", .place = "test", .prove = by_the_root}, {positive, of_root});
+  CHECK_THROWS_AS(record(both), InternalError);
+  // So it may be where what is assumed speaks of the root.
+  both.assumptions.push_back({"a", {sqrt(tau), 1, Relation::less}});
+  CHECK(facts(record(saying(both, {positive, of_root})).status).stands);
 }
 
 TEST_CASE("a comparison of something else, or of less, proves nothing that is printed") {

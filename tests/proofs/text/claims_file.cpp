@@ -74,6 +74,14 @@ TEST_CASE("the papers among the examples come out as they say they do") {
   }
 }
 
+TEST_CASE(
+    "a root in one statement says nothing of another, nor one in the corrected form of the printed one") {
+  const std::string head = "section s S\nclaim c theorem textbook: words\n";
+  CHECK(status_of(head + "  x >= 0\n  sqrt(x)^2 = x\n") == "refuted");
+  CHECK(status_of(head + "  x >= 0\n  corrected sqrt(x)^2 = x\n") == "misprint_corrected");
+  CHECK(status_of(head + "  x >= 0\n  if y: a = sqrt(x)\n") == "proved");
+}
+
 TEST_CASE("a file with characters changed is refused in a sentence, or another file") {
   const std::string whole = example("den_hartog");
   const std::string signs = "+-*/^()[]|,;:=<>'@#$ \n\tabt12.";
