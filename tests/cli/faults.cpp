@@ -96,6 +96,12 @@ double seconds_of_children() {
 }  // namespace
 
 TEST_CASE("whatever is interrupted comes to its end within two seconds of processor time") {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr double longest =
+      60;  // what is followed is proved to its end, which takes up to forty times as long
+#else
+  constexpr double longest = 2;
+#endif
   const Words overshooting{"branch", "overshooting", "--example", "O", "--ur", "0.4585", "--omega"};
   for (const Words& arguments :
        {Words{"attractors", "--example", "S", "--starts", "100000"},
@@ -111,7 +117,7 @@ TEST_CASE("whatever is interrupted comes to its end within two seconds of proces
     ::kill(process, SIGINT);
     CHECK(wait_for(process) == exit_interrupted);
     ::close(output);
-    CHECK(seconds_of_children() - before - until_then < 2);
+    CHECK(seconds_of_children() - before - until_then < longest);
   }
 }
 

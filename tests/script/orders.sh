@@ -44,7 +44,9 @@ player apt-get <<'EOF'
 while [[ $1 != update && $1 != install ]]; do shift; done
 [[ $1 == update ]] && exit 0
 shift
-printf '%s\n' "$@" | grep -v '^-' | sort -u -o "$STATE/installed" "$STATE/installed" -
+# At once: others read it while this runs.
+printf '%s\n' "$@" | grep -v '^-' | sort -u "$STATE/installed" - >"$STATE/installed.$$"
+mv "$STATE/installed.$$" "$STATE/installed"
 echo "$*" >"$STATE/asked"
 EOF
 player sudo <<'EOF'
