@@ -106,18 +106,25 @@ ExitCode run(const CheckOptions& options, const proofs::methods::Paper& paper) {
 
 ExitCode run(const ProveOptions& options, const methods::Paper& paper) {
   methods::Paper with_own = paper;
-  with_own.claims.push_back(methods::own_claim({options.statement, options.assumptions, options.symbols}));
+  with_own.claims.push_back(
+      methods::own_claim({options.statement, options.assumptions, options.symbols, "--symbols "}));
   const methods::Audit audit = prove(with_own.claims, {methods::own_id});
   print(answer(options, with_own, audit));
   // Refuted, whatever is true in its place.
   const ExitCode code = exit_of(audit, audit.records.front().outcome.verdict.truth == Truth::refuted);
-  if (code != exit_decided || options.certificate.empty()) {
+  if (options.certificate.empty()) {
+    return code;
+  }
+  if (code != exit_decided && code != exit_refuted) {
+    tell(fmt::format("stickslip: nothing is written to '{}': what is not decided has no certificate",
+                     options.certificate));
     return code;
   }
   CertifyOptions certify;
   certify.words = {methods::own_id};
   certify.out = options.certificate;
-  return run(certify, with_own);
+  const ExitCode written = run(certify, with_own);
+  return code == exit_decided ? written : code;
 }
 
 // stickslip latex: derived expressions, statements, theorems and orbits for papers.

@@ -627,7 +627,7 @@ PYBIND11_MODULE(_core, m) {
   m.def("check", &check);
   m.def("prove", [](const std::string& statement, const std::vector<std::string>& assumptions,
                     const std::vector<std::string>& symbols, const Conduct& conduct) {
-    return prove({statement, assumptions, symbols}, conduct);
+    return prove({statement, assumptions, symbols, "symbols="}, conduct);
   });
   m.def("latex", &latex);
   m.def("latex_text", &latex_text);

@@ -13,6 +13,7 @@
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/parse.hpp"
+#include "proofs/tactics/algebraic_numbers.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
 #include "proofs/tactics/roots.hpp"
@@ -100,7 +101,8 @@ void enclose(Derivation& derivation, const Variable& variable, tactics::Roots& r
   roots.add(square, Theorem::assume(at_most(0, variable)));
 }
 
-// With the values that are given put in no variable is left, but for roots: in balls, or by normal form.
+// With the values that are given put in no variable is left, but for roots: in balls, or in the algebra of
+// roots and of sines and cosines of parts of the circle; there also what is equal for all values of others.
 Theorem at_values(Derivation& derivation, const Formula& formula) {
   for (const Theorem& value : given_values(derivation)) {
     const Term& symbol = value.conclusion().parts()[0];
@@ -114,9 +116,18 @@ Theorem at_values(Derivation& derivation, const Formula& formula) {
   }
   tactics::Roots roots;
   for (const Variable& one : formula.variables()) {
-    enclose(derivation, one, roots);
+    static_cast<void>(attempt([&] {  // a root of what has no value is as any other variable
+      enclose(derivation, one, roots);
+      return true;
+    }));
   }
-  return roots.without_ranges(tactics::certainly(formula, roots.ranges()));
+  if (const auto decided = attempt([&] { return tactics::certainly(formula, roots.known()); })) {
+    return roots.without_ranges(*decided);
+  }
+  if (!is_equation_of_numbers(formula)) {
+    throw KernelError("it is not decided by values");
+  }
+  return derivation.without_divisors(roots.without_ranges(tactics::equal_numbers(formula, roots.known())));
 }
 
 Theorem related(Derivation& derivation, const Formula& formula) {
@@ -202,24 +213,52 @@ Theorem without_squares_of_roots(Derivation& derivation, const Term& a) {
   return a == b ? Theorem::reflexive(a) : derivation.combined(equal(a, b));
 }
 
+// a < b or a ≤ b by the squares of both sides, and their signs.
+Theorem order_by_squares(Derivation& derivation, const Formula& formula) {
+  const Term &a = tactics::sides_of(formula)[0], &b = tactics::sides_of(formula)[1];
+  const bool strict = formula.kind() == kernel::Kind::less;
+  const auto relation = [&](const Term& x, const Term& y) { return strict ? less(x, y) : at_most(x, y); };
+  const Theorem in_a = without_squares_of_roots(derivation, power(a, 2)),
+                in_b = without_squares_of_roots(derivation, power(b, 2));
+  const Theorem squares = Theorem::order(
+      relation(power(a, 2), power(b, 2)),
+      {kernel::Positive{
+          {directly(derivation, relation(in_a.conclusion().parts()[1], in_b.conclusion().parts()[1]))}}},
+      {{in_a, -1}, {in_b}});
+  return derivation.without_divisors((strict ? tactics::below_by_squares : tactics::at_most_by_squares)(
+      squares, directly(derivation, at_most(0, b)), a, b));
+}
+
+// Likewise, with what is negative in the numerator of b - a on the one side, and the rest on the other.
+Theorem order_by_squares_of_parts(Derivation& derivation, const Formula& formula) {
+  const Term gap = gap_of(formula);
+  const tactics::Letters letters({gap});
+  const auto [above, below] = letters.fraction(gap);
+  std::vector<Monomial> negative, positive;
+  for (Monomial one : monomials(above)) {
+    (one.coefficient < 0 ? negative : positive).push_back(one);
+    if (one.coefficient < 0) {
+      negative.back().coefficient = -one.coefficient;
+    }
+  }
+  const auto side = [&](const std::vector<Monomial>& terms) {
+    return letters.term(polynomial(letters.ring(), terms));
+  };
+  const bool strict = formula.kind() == kernel::Kind::less;
+  const Theorem divisor = directly(derivation, less(0, letters.term(below)));
+  const Theorem order = order_by_squares(
+      derivation, strict ? less(side(negative), side(positive)) : at_most(side(negative), side(positive)));
+  return derivation.order(formula, {kernel::Positive{{tactics::inverse_is_positive(divisor), order}}});
+}
+
 // By the squares of both sides, and their signs.
 Theorem by_squares(Derivation& derivation, const Formula& formula) {
+  if (formula.kind() != kernel::Kind::equal) {
+    return first_of({order_by_squares, order_by_squares_of_parts}, derivation, formula);
+  }
   const Term &a = tactics::sides_of(formula)[0], &b = tactics::sides_of(formula)[1];
   const auto squared = [](const Term& x) { return power(x, 2); };
   const auto not_below = [&](const Term& x) { return directly(derivation, at_most(0, x)); };
-  if (formula.kind() != kernel::Kind::equal) {
-    const bool strict = formula.kind() == kernel::Kind::less;
-    const auto relation = [&](const Term& x, const Term& y) { return strict ? less(x, y) : at_most(x, y); };
-    const Theorem in_a = without_squares_of_roots(derivation, squared(a)),
-                  in_b = without_squares_of_roots(derivation, squared(b));
-    const Theorem squares = Theorem::order(
-        relation(squared(a), squared(b)),
-        {kernel::Positive{
-            {directly(derivation, relation(in_a.conclusion().parts()[1], in_b.conclusion().parts()[1]))}}},
-        {{in_a, -1}, {in_b}});
-    return derivation.without_divisors(
-        (strict ? tactics::below_by_squares : tactics::at_most_by_squares)(squares, not_below(b), a, b));
-  }
   const Theorem same = derivation.combined(equal(squared(a), squared(b)));
   const auto at_most_other = [&](const Term& x, const Term& y, long factor) {
     return tactics::at_most_by_squares(Theorem::order(at_most(squared(x), squared(y)), {}, {{same, -factor}}),
@@ -337,7 +376,9 @@ Outcome by_search(Prover& prover, const Claim& claim) {
                   prover, claim, [](Derivation& derivation, std::size_t which) {
                     const Formula formula = derivation.printed(which);
                     try {
-                      return (is_equation_of_numbers(formula) ? related : directly)(derivation, formula);
+                      return is_equation_of_numbers(formula)
+                                 ? first_of({at_values, related}, derivation, formula)
+                                 : directly(derivation, formula);
                     } catch (const KernelError&) {
                       if (const auto found = attempt([&] { return by_squares(derivation, formula); })) {
                         return *found;
@@ -485,7 +526,8 @@ std::string looks_like(const std::string& name, const symbols::Names& known) {
 }
 
 Claim own_claim(const OwnStatement& own) {
-  const symbols::Names names = names_with(own.symbols);
+  symbols::Names names = names_with(own.symbols);
+  names.own_by = own.symbols_by;
   Claim claim{.id = own_id, .place = "own", .kind = Kind::step, .origin = Origin::auxiliary};
   claim.words = "a statement of your own";
   claim.printed = symbols::parse_statements(own.statement, names);

@@ -18,6 +18,7 @@ struct OwnStatement {
   std::string statement;
   std::vector<std::string> assumptions = {};
   std::vector<std::string> symbols = {};  // of numbers, beside the paper's
+  std::string symbols_by = {};            // what names them, for messages: "--symbols "
 };
 
 inline constexpr const char * own_id = "own";

@@ -94,7 +94,10 @@ constexpr double fault = 1e-9;
 // Whether it holds nearly there, a < b by at least the margin; nothing where that cannot be said.
 std::optional<bool> holds_nearly(const Formula& formula, const tactics::Point& values,
                                  double margin = fault) {
-  const auto gap = [&] { return tactics::estimated(gap_of(formula), values); };
+  const auto gap_above = [&](double least) {
+    const long double gap = tactics::estimated(gap_of(formula), values);
+    return std::isfinite(gap) ? std::optional(gap > least) : std::nullopt;
+  };
   switch (formula.kind()) {
     case kernel::Kind::equal: {
       const Term difference = gap_of(formula);
@@ -102,16 +105,17 @@ std::optional<bool> holds_nearly(const Formula& formula, const tactics::Point& v
       for (int k = 0; k < type.rows * type.columns; ++k) {
         const Term one =
             type.is_scalar() ? difference : entry(difference, k / type.columns, k % type.columns);
-        if (!(std::abs(tactics::estimated(one, values)) < fault)) {
-          return false;
+        const long double gap = tactics::estimated(one, values);
+        if (!(std::abs(gap) < fault)) {
+          return std::isfinite(gap) ? std::optional(false) : std::nullopt;
         }
       }
       return true;
     }
     case kernel::Kind::less:
-      return gap() > margin;
+      return gap_above(margin);
     case kernel::Kind::at_most:
-      return gap() > -fault;
+      return gap_above(-fault);
     case kernel::Kind::negation: {
       const auto inside = holds_nearly(formula.parts()[0], values, margin);
       return inside ? std::optional(!*inside) : std::nullopt;

@@ -288,7 +288,7 @@ class Place {
     if (open.kind() == kernel::Kind::equal) {
       if (const auto always = attempt([&] {
             return without_hypotheses(Theorem::instantiate(derivation_.combination(open), values_),
-                                      roots_.ranges());
+                                      roots_.known());
           })) {
         return *always;
       }
@@ -301,13 +301,13 @@ class Place {
         }
       }
     }
-    return certainly(here, roots_.ranges());
+    return certainly(here, roots_.known());
   }
   [[nodiscard]] Theorem fails(const Formula& formula) {
     if (joined_) {
       return of_pieces(negation(formula), [this](const Formula& open) { return fails(open.parts()[0]); });
     }
-    return certainly_not(substitute(substitute(formula, motion_), values_), roots_.ranges());
+    return certainly_not(substitute(substitute(formula, motion_), values_), roots_.known());
   }
 
   // The first of the functions, for its motion, that obeys the phase, with the theorem. Throws KernelError if
@@ -390,7 +390,7 @@ class Place {
       return;
     }
     const Theorem exists =
-        detach(Theorem::square_root(square), certainly(at_most(0, square), roots_.ranges()));
+        detach(Theorem::square_root(square), certainly(at_most(0, square), roots_.known()));
     const Formula said = opened(exists.conclusion(), name);
     roots_.add(part(Theorem::assume(said), 1), part(Theorem::assume(said), 0));
     roots_there_are_.push_back({name, exists, said});

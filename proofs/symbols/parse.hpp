@@ -38,6 +38,7 @@ struct Names {
   std::map<std::string, Shape, std::less<>> quantities;
   std::map<std::string, Shape, std::less<>> functions;  // their values', of one scalar
   std::map<std::string, Abbreviation, std::less<>> abbreviations;
+  std::string own_by = {};  // what a further one is named by, if anything, for messages: "--symbols "
 
   [[nodiscard]] bool has(const std::string& name) const;
 };

@@ -384,11 +384,7 @@ class Parser {
   [[nodiscard]] Node named() {
     const Token token = here();
     if (token.text == "det") {
-      ++next_;
-      close("(");
-      Node inside = expression();
-      close(")");
-      return {Op::determinant, token.at, {}, 0, {std::move(inside)}};
+      return {Op::determinant, token.at, {}, 0, {bracketed()}};
     }
     if (const auto abbreviation = known(names_.abbreviations, token.text)) {
       return abbreviated(*abbreviation);
@@ -408,7 +404,22 @@ class Parser {
     if (function) {
       fail(token.at, fmt::format("{0} is a function: write {0}(t)", token.text));
     }
-    fail(token.at, fmt::format("no symbol '{}'{}", token.text, names_like(token.text, names_)));
+    if (token.text == "abs" && is_applied(false)) {  // as |…|
+      return {Op::function, token.at, "abs", 0, {bracketed()}};
+    }
+    const std::string own =
+        names_.own_by.empty() ? ""
+                              : fmt::format("; one of your own is named by {}{}", names_.own_by, token.text);
+    fail(token.at, fmt::format("no symbol '{}'{}{}", token.text, names_like(token.text, names_), own));
+  }
+
+  // A name, then a term in brackets.
+  [[nodiscard]] Node bracketed() {
+    ++next_;
+    close("(");
+    Node inside = expression();
+    close(")");
+    return inside;
   }
 
   [[nodiscard]] Node abbreviated(const std::string& name) {

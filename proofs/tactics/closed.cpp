@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "proofs/kernel/entrywise.hpp"
+#include "proofs/tactics/algebraic_numbers.hpp"
 #include "proofs/tactics/slopes.hpp"
 
 namespace stickslip::proofs::tactics {
@@ -18,38 +19,40 @@ namespace {
 
 constexpr long bits = 256;
 
-Theorem equation(const Formula& formula, const Ranges& ranges) {
+Theorem equation(const Formula& formula, const KnownRoots& roots) {
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
   if (a == b) {
     return Theorem::reflexive(a);
   }
-  return without_hypotheses(Theorem::combination(formula, {}, definitions_in({formula})), ranges);
+  const auto identity = attempt([&] { return Theorem::combination(formula, {}, definitions_in({formula})); });
+  return without_hypotheses(identity ? *identity : equal_numbers(formula, roots), roots);
 }
 
 // a < b or a ≤ b, the latter also as a = b.
-Theorem inequality(const Formula& formula, const Ranges& ranges) {
-  if (const auto by_balls = attempt([&] { return Theorem::sign(formula, ranges, bits); })) {
+Theorem inequality(const Formula& formula, const KnownRoots& roots) {
+  if (const auto by_balls = attempt([&] { return Theorem::sign(formula, roots.ranges, bits); })) {
     return *by_balls;
   }
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
   if (formula.kind() == Kind::less) {
     throw KernelError("it does not hold, or is not decided in balls: " + to_string(formula));
   }
-  return Theorem::consequence({equation(equal(a, b), ranges), Theorem::trichotomy(a, b)}, formula);
+  return Theorem::consequence({equation(equal(a, b), roots), Theorem::trichotomy(a, b)}, formula);
 }
 
 // Two matrices differ in an entry.
-Theorem difference(const Formula& formula, const Ranges& ranges) {
+Theorem difference(const Formula& formula, const KnownRoots& roots) {
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
   const Type& type = a.type();
   if (type.is_scalar()) {
-    return Theorem::sign(negation(formula), ranges, bits);
+    return Theorem::sign(negation(formula), roots.ranges, bits);
   }
   const Variable A{"A", type}, B{"B", type};  // of any two: what a and b are made of need not be looked into
   for (int i = 0; i < type.rows; ++i) {
     for (int j = 0; j < type.columns; ++j) {
       const auto found = attempt([&] {
-        const Theorem differs = Theorem::sign(negation(equal(entry(a, i, j), entry(b, i, j))), ranges, bits);
+        const Theorem differs =
+            Theorem::sign(negation(equal(entry(a, i, j), entry(b, i, j))), roots.ranges, bits);
         const Formula all = equal(A, B);
         const Theorem row =
             Theorem::combination(equal(entry(A, i, j), entry(B, i, j)),
@@ -59,7 +62,7 @@ Theorem difference(const Formula& formula, const Ranges& ranges) {
         return Theorem::consequence({here, differs}, negation(formula));
       });
       if (found) {
-        return without_hypotheses(*found, ranges);
+        return without_hypotheses(*found, roots);
       }
     }
   }
@@ -67,24 +70,24 @@ Theorem difference(const Formula& formula, const Ranges& ranges) {
 }
 
 // By trichotomy, from the opposite inequality.
-Theorem not_below(const Formula& formula, const Ranges& ranges) {
+Theorem not_below(const Formula& formula, const KnownRoots& roots) {
   const Term &a = formula.parts()[0], &b = formula.parts()[1];
-  const Theorem opposite = certainly(formula.kind() == Kind::less ? at_most(b, a) : less(b, a), ranges);
+  const Theorem opposite = certainly(formula.kind() == Kind::less ? at_most(b, a) : less(b, a), roots);
   return Theorem::consequence({opposite, Theorem::trichotomy(a, b)}, negation(formula));
 }
 
 // Of each part, or of one of them.
-using Decide = Theorem (*)(const Formula&, const Ranges&);
-Theorem of_all(const Formula& formula, Decide one, const Ranges& ranges, const Formula& conclusion) {
+using Decide = Theorem (*)(const Formula&, const KnownRoots&);
+Theorem of_all(const Formula& formula, Decide one, const KnownRoots& roots, const Formula& conclusion) {
   std::vector<Theorem> parts;
   for (const Formula& part : formula.parts()) {
-    parts.push_back(one(part, ranges));
+    parts.push_back(one(part, roots));
   }
   return Theorem::consequence(parts, conclusion);
 }
-Theorem of_one(const Formula& formula, Decide one, const Ranges& ranges, const Formula& conclusion) {
+Theorem of_one(const Formula& formula, Decide one, const KnownRoots& roots, const Formula& conclusion) {
   for (const Formula& part : formula.parts()) {
-    if (const auto found = attempt([&] { return one(part, ranges); })) {
+    if (const auto found = attempt([&] { return one(part, roots); })) {
       return Theorem::consequence({*found}, conclusion);
     }
   }
@@ -93,57 +96,60 @@ Theorem of_one(const Formula& formula, Decide one, const Ranges& ranges, const F
 
 }  // namespace
 
-Theorem certainly(const Formula& formula, const Ranges& ranges) {
+Theorem certainly(const Formula& formula, const KnownRoots& roots) {
   switch (formula.kind()) {
     case Kind::equal:
-      return equation(formula, ranges);
+      return equation(formula, roots);
     case Kind::less:
     case Kind::at_most:
-      return inequality(formula, ranges);
+      return inequality(formula, roots);
     case Kind::negation:
-      return certainly_not(formula.parts()[0], ranges);
+      return certainly_not(formula.parts()[0], roots);
     case Kind::conjunction:
-      return of_all(formula, certainly, ranges, formula);
+      return of_all(formula, certainly, roots, formula);
     case Kind::disjunction:
-      return of_one(formula, certainly, ranges, formula);
+      return of_one(formula, certainly, roots, formula);
     case Kind::exists:
       return there_are_slopes(
-          formula, [&](const Theorem& slope) { return without_hypotheses(slope, ranges); },
-          [&](const Formula& one) { return certainly(one, ranges); });
+          formula, [&](const Theorem& slope) { return without_hypotheses(slope, roots); },
+          [&](const Formula& one) { return certainly(one, roots); });
     default:
       throw KernelError("it is not decided at one point: " + to_string(formula));
   }
 }
 
-Theorem certainly_not(const Formula& formula, const Ranges& ranges) {
+Theorem certainly_not(const Formula& formula, const KnownRoots& roots) {
   switch (formula.kind()) {
     case Kind::equal:
-      return difference(formula, ranges);
+      return difference(formula, roots);
     case Kind::less:
     case Kind::at_most:
-      return not_below(formula, ranges);
+      return not_below(formula, roots);
     case Kind::negation:
-      return Theorem::consequence({certainly(formula.parts()[0], ranges)}, negation(formula));
+      return Theorem::consequence({certainly(formula.parts()[0], roots)}, negation(formula));
     case Kind::conjunction:
-      return of_one(formula, certainly_not, ranges, negation(formula));
+      return of_one(formula, certainly_not, roots, negation(formula));
     case Kind::disjunction:
-      return of_all(formula, certainly_not, ranges, negation(formula));
+      return of_all(formula, certainly_not, roots, negation(formula));
     case Kind::exists:
-      return there_are_no_slopes(formula, [&](const Formula& one) { return certainly_not(one, ranges); });
+      return there_are_no_slopes(formula, [&](const Formula& one) { return certainly_not(one, roots); });
     default:
       throw KernelError("it is not decided at one point: " + to_string(formula));
   }
 }
 
-Theorem without_hypotheses(const Theorem& theorem, const Ranges& ranges) {
-  const auto is_range = [&](const Formula& one) {
-    return std::ranges::any_of(ranges, [&](const auto& range) {
-      const auto& [x, ends] = range;
-      return one == at_most(ends.first, x) || one == at_most(x, ends.second);
-    });
+Theorem without_hypotheses(const Theorem& theorem, const KnownRoots& roots) {
+  const auto is_known = [&](const Formula& one) {
+    return std::ranges::any_of(roots.ranges,
+                               [&](const auto& range) {
+                                 const auto& [x, ends] = range;
+                                 return one == at_most(ends.first, x) || one == at_most(x, ends.second);
+                               }) ||
+           std::ranges::any_of(roots.squares,
+                               [&](const Theorem& square) { return square.hypotheses().contains(one); });
   };
   return settled_by(theorem, [&](const Formula& one) {
-    return is_range(one) ? std::nullopt : std::optional(certainly(one, ranges));
+    return is_known(one) ? std::nullopt : std::optional(certainly(one, roots));
   });
 }
 

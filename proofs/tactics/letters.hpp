@@ -11,6 +11,11 @@
 
 namespace stickslip::proofs::tactics {
 
+// A sine or cosine.
+[[nodiscard]] inline bool is_wave(const kernel::Term& term) {
+  return term.kind() == kernel::Kind::cosine || term.kind() == kernel::Kind::sine;
+}
+
 // Without common factors and with whole coefficients; the denominator's leading one is positive.
 struct Fraction {
   Polynomial above, below;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <set>
 #include <utility>
 
+#include "proofs/tactics/algebraic_numbers.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
 #include "proofs/tactics/sum_of_products.hpp"
@@ -18,10 +20,6 @@ namespace {
 using namespace kernel;
 using kernel::Kind;
 using Theorems = std::vector<Theorem>;
-
-bool is_wave(const Term& term) {
-  return term.kind() == Kind::cosine || term.kind() == Kind::sine;
-}
 
 bool is_bent_along(const Term& term, const Variable& x) {
   return is_wave(term) || term.kind() == Kind::exponential
@@ -160,22 +158,36 @@ class Search {
     const bool strictly = goal.kind() == Kind::less;
     const Term gap = in_powers(gap_of(goal));
     const Letters letters({gap});
-    const auto [above, below] = letters.fraction(gap);
-    const Term top = letters.term(above), bottom = letters.term(below);
+    auto [above, below] = letters.fraction(gap);
     if (is_constant(below)) {
-      const Theorem one = positive(top, strictly, known, depth);
+      const Theorem one = positive(above, letters, strictly, known, depth);
       return Theorem::order(goal, {Positive{{one}, 1 / leading_coefficient(below)}});
     }
-    const auto by_sign = first_that_works(std::array{false, true}, [&](bool turned) {
-      const Theorem divisor = positive(turned ? -bottom : bottom, true, known, depth);
-      const Theorem one = positive(turned ? -top : top, strictly, known, depth);
-      const Theorem quotient = Theorem::order(goal, {Positive{{inverse_is_positive(divisor), one}}});
-      return nonzero(Theorem::cut(different(divisor), quotient), known);
-    });
-    if (!by_sign) {
-      throw KernelError("no sign is known of what it divides by, or of what it divides");
+    // From the sign of the numerator and of each factor of the denominator.
+    const Factored divisors = factored(below, letters);
+    Rational scale = leading_coefficient(below) / leading_coefficient(divisors.product);
+    Positive quotient;
+    Domain differ_from_0 = known;
+    for (std::size_t k = 0; k < divisors.factors.size(); ++k) {
+      const Term one = letters.term(divisors.factors[k]);
+      const bool is_even = divisors.exponents[k] % 2 == 0;
+      const auto sign = first_that_works(std::array{false, true}, [&](bool turned) {
+        return is_even ? tactics::positive(power(one, 2), {}) : not_zero(one, turned, known, depth);
+      });
+      if (!sign) {
+        throw KernelError("no sign is known of " + to_string(one));
+      }
+      const bool turned = !is_even && !(sign->conclusion().parts()[1] == one);
+      scale *= turned ? -1 : 1;
+      differ_from_0.push_back(different(turned ? Theorem::order(less(one, 0), {Positive{{*sign}}}) : *sign));
+      for (int n = 0; n < divisors.exponents[k]; n += is_even ? 2 : 1) {
+        quotient.inequalities.push_back(inverse_is_positive(*sign));
+      }
     }
-    return *by_sign;
+    above *= letters.ring().constant(sgn(scale));
+    quotient.inequalities.push_back(positive(above, letters, strictly, known, depth));
+    quotient.factor = 1 / abs(scale);
+    return nonzero(Theorem::order(goal, {quotient}), differ_from_0);
   }
 
   // 0 < a or 0 ≤ a, of a polynomial in letters.
@@ -202,6 +214,54 @@ class Search {
   }
 
  private:
+  // 0 < a or 0 ≤ a: of the whole, or from the signs of its factors.
+  Theorem positive(const Polynomial& a, const Letters& letters, bool strictly, const Theorems& known,
+                   int depth) {
+    const Term whole = letters.term(a);
+    if (const auto found = attempt([&] { return positive(whole, strictly, known, depth); })) {
+      return *found;
+    }
+    const Factored product = factored(a, letters);
+    if (product.factors.size() == 1 && product.exponents[0] == 1) {
+      throw KernelError("no sign is known of " + to_string(whole));
+    }
+    Rational scale = leading_coefficient(a) / leading_coefficient(product.product);
+    Positive signs;
+    for (std::size_t k = 0; k < product.factors.size(); ++k) {
+      const Term one = letters.term(product.factors[k]);
+      for (int n = 0; n < product.exponents[k] / 2 && !strictly; ++n) {
+        signs.square = signs.square * one;
+      }
+      const int left = strictly ? product.exponents[k] : product.exponents[k] % 2;
+      if (left > 0) {
+        const auto sign = first_that_works(
+            std::array{one, -one}, [&](const Term& size) { return positive(size, strictly, known, depth); });
+        if (!sign) {
+          throw KernelError("no sign is known of " + to_string(one));
+        }
+        const bool turns = left % 2 != 0 && !(sign->conclusion().parts()[1] == one);
+        scale *= turns ? -1 : 1;
+        signs.inequalities.insert(signs.inequalities.end(), static_cast<std::size_t>(left), *sign);
+      }
+    }
+    signs.factor = scale;
+    return Theorem::order(is_positive(whole, strictly), {signs});
+  }
+
+  // 0 < a or 0 < -a, where a is not zero: that is a hypothesis, if no more than 0 ≤ a or a ≤ 0 is known.
+  Theorem not_zero(const Term& a, bool turned, const Theorems& known, int depth) {
+    const Term size = turned ? -a : a;
+    if (const auto strictly = attempt([&] { return positive(size, true, known, depth); })) {
+      return *strictly;
+    }
+    const Theorem sign = positive(size, false, known, depth);
+    const Formula zero = equal(0, size);
+    const Theorem same = Theorem::combination(equal(a, 0), {{Theorem::assume(zero), turned ? 1 : -1}});
+    return Theorem::consequence(
+        {sign, Theorem::assume(differ(a, 0)), Theorem::discharge(same, zero), Theorem::trichotomy(0, size)},
+        less(0, size));
+  }
+
   // The first digits of pi; that cosine and sine lie between -1 and 1; that the sine is positive where its
   // argument is known to lie between 0 and pi, and the cosine between -pi/2 and pi/2.
   void add_what_letters_say(const Term& a, const Theorems& known, int depth, Theorems& facts) {
@@ -210,6 +270,9 @@ class Search {
       if (letter == pi()) {
         facts.push_back(Theorem::sign(less(3, pi())));
         facts.push_back(Theorem::sign(less(pi(), Rational(22, 7))));
+      }
+      if (letter.variables().empty() && letter != pi()) {
+        add_bounds(letter, facts);
       }
       if (!is_wave(letter)) {
         continue;
@@ -236,6 +299,23 @@ class Search {
       }
     }
     add_exponentials(exponents, known, depth, facts);
+  }
+
+  // What a number that floating point knows lies between.
+  static void add_bounds(const Term& number, Theorems& facts) {
+    constexpr long double steps = 4096;
+    const long double near = steps * estimated(number, {});
+    if (std::abs(near) < static_cast<long double>(std::numeric_limits<int>::max())) {
+      const auto end = [&](int beside) {
+        const Rational value = Rational(std::lround(near) + beside) / static_cast<int>(steps);
+        return Term(value);
+      };
+      for (const Formula& bound : {less(end(-1), number), less(number, end(1))}) {
+        if (const auto theorem = attempt([&] { return Theorem::sign(bound); })) {
+          facts.push_back(*theorem);
+        }
+      }
+    }
   }
 
   // That they are positive, which are above or below 1, and which above which others: by the signs that are
@@ -378,55 +458,6 @@ class Search {
   long work_ = 400000;
 };
 
-// The coefficients of Chebyshev's polynomial of this degree, that of the constant first.
-std::vector<mpz_class> chebyshev(std::size_t degree) {
-  std::vector<mpz_class> before{1}, here{0, 1};
-  for (std::size_t k = 0; k < degree; ++k) {
-    std::vector<mpz_class> next(here.size() + 1);
-    for (std::size_t j = 0; j < here.size(); ++j) {
-      next[j + 1] += 2 * here[j];
-      next[j] -= j < before.size() ? before[j] : 0;
-    }
-    before = std::exchange(here, next);
-  }
-  return before;
-}
-
-// T(w) = 1, 0 or -1 for a cosine or sine w of a rational multiple of pi, and Chebyshev's polynomial T of the
-// degree k with which k u is a multiple of pi/2.
-std::optional<Theorem> at_part_of_circle(const Term& w) {
-  constexpr long most = 24;
-  const Term u = w.parts()[0];
-  const Letters letters({u});
-  const auto [above, below] = letters.fraction(u);
-  if (letters.terms() != std::vector{pi()} || !is_constant(below) || degree(above, 0) != 1 ||
-      !coefficient(above, 0, 0).is_zero()) {
-    return std::nullopt;
-  }
-  const Rational quarters = 2 * leading_coefficient(above) / leading_coefficient(below);
-  const long k = quarters.get_den() > most ? 0 : quarters.get_den().get_si();
-  if (k == 0) {
-    return std::nullopt;
-  }
-  const Variable v{"v"};
-  const bool is_sine = w.kind() == Kind::sine, by_sine = is_sine && k % 2 != 0;
-  const Term of_v = is_sine ? sin(v) : cos(v), multiple = Term(k) * v;
-  const int sign = is_sine && k / 2 % 2 != 0 ? -1 : 1;
-  std::vector<Term> parts{0};
-  const std::vector<mpz_class> coefficients = chebyshev(static_cast<std::size_t>(k));
-  for (std::size_t j = 0; j < coefficients.size(); ++j) {
-    if (coefficients[j] != 0) {
-      parts.push_back(Term(Rational(coefficients[j])) * power(of_v, static_cast<long>(j)));
-    }
-  }
-  const Theorem for_all =
-      Theorem::combination(equal(sum(parts), Term(sign) * (by_sine ? sin(multiple) : cos(multiple))));
-  const Theorem here = Theorem::instantiate(for_all, {{v, u}});
-  return first_that_works(std::array{0, 1, -1}, [&](int value) {
-    return Theorem::combination(equal(here.conclusion().parts()[0], value), {{here}});
-  });
-}
-
 // f = 0, from f ≤ 0 and 0 ≤ f.
 Theorem by_both_sides(const Term& f, const Theorems& known) {
   return Theorem::consequence({Search().decided(at_most(f, 0), known), Search().decided(at_most(0, f), known),
@@ -445,54 +476,30 @@ Theorem by_square(const Term& f, const Theorems& known) {
 
 // f = 0, where that is a factor of what is known to be zero, and the others have a sign.
 Theorem by_factors(const Term& f, const Theorem& known, const Theorems& inequalities) {
-  const Term gap = gap_of(known.conclusion());
-  const Letters letters({f, gap});
-  Polynomial wanted = letters.fraction(f).above;
-  if (wanted.is_zero()) {
-    throw KernelError("it is zero for all values");
-  }
-  take_content(wanted);
-  Polynomial turned = wanted;
-  turned *= letters.ring().constant(-1);
-  Domain nonzero_ones;
-  std::optional<Formula> differs;
-  for (const Polynomial& factor : factored(letters.fraction(gap).above, letters).factors) {
-    const Term one = letters.term(factor);
-    if (factor == wanted || factor == turned) {
-      differs = differ(one, 0);
-      continue;
-    }
-    const auto sign = first_that_works(std::array{1, -1}, [&](int sense) {
-      const Formula goal = sense > 0 ? less(0, one) : less(one, 0);
+  return zero_factor(f, known, [&](const Term& other) {
+    const auto sign = first_that_works(std::array{less(0, other), less(other, 0)}, [&](const Formula& goal) {
       return Search().decided(goal, inequalities);
     });
-    if (!sign) {
-      throw KernelError("no sign is known of " + to_string(one));
-    }
-    nonzero_ones.push_back(different(*sign));
-  }
-  if (!differs) {
-    throw KernelError("it is no factor of what is zero");
-  }
-  const Formula whole = differ(gap, 0);
-  const Theorem nowhere = nonzero(Theorem::assume(whole), nonzero_ones);
-  const Theorem zero = Theorem::combination(equal(gap, 0), {{known, -1}});
-  const Formula& is_zero = differs->parts()[0];
-  const Theorem result = Theorem::consequence({Theorem::discharge(nowhere, *differs), zero}, is_zero);
-  return Theorem::combination(equal(f, 0), {{result, quotient(f, is_zero.parts()[0])}});
+    return sign ? different(*sign) : throw KernelError("no sign is known of " + to_string(other));
+  });
 }
 
 }  // namespace
 
 Theorem inequality(const Formula& inequality, const std::vector<Theorem>& known) {
-  const Theorems few = of_use(inequality, known, letters_of);
-  if (few.size() < known.size()) {
-    if (const auto theorem = attempt([&] { return Search().decided(inequality, few); })) {
+  const std::set<Term> letters = letters_of(inequality);
+  Theorems in_them;
+  std::ranges::copy_if(known, std::back_inserter(in_them), [&](const Theorem& one) {
+    return std::ranges::includes(letters, letters_of(one.conclusion()));
+  });
+  std::optional<std::size_t> tried;
+  for (const Theorems& some : {in_them, of_use(inequality, known, letters_of), known}) {
+    const bool is_new = !tried || some.size() > *tried;
+    tried = some.size();
+    if (const auto theorem =
+            is_new ? attempt([&] { return Search().decided(inequality, some); }) : std::nullopt) {
       return *theorem;
     }
-  }
-  if (const auto theorem = attempt([&] { return Search().decided(inequality, known); })) {
-    return *theorem;
   }
   // On both sides of a number, for what grows away from there.
   Search search;
@@ -524,12 +531,6 @@ Theorem equation(const Formula& equation, const std::vector<Theorem>& known) {
   Theorems equations, inequalities;
   for (const Theorem& one : known) {
     (is_inequality(one.conclusion()) ? inequalities : equations).push_back(one);
-  }
-  const Letters letters({gap});
-  for (const Term& letter : letters.terms()) {
-    if (const auto zero = is_wave(letter) ? at_part_of_circle(letter) : std::nullopt) {
-      equations.push_back(*zero);
-    }
   }
   auto zero =
       first_that_works(equations, [&](const Theorem& one) { return by_factors(gap, one, inequalities); });

@@ -14,8 +14,7 @@ namespace stickslip::proofs::tactics {
 [[nodiscard]] Theorem inequality(const Formula& inequality, const std::vector<Theorem>& known);
 
 // a = b, where b - a is a factor of what is known to be zero, and the inequalities that are known say that
-// the other factors are not. That is known, too, of a sine or cosine of a rational multiple of pi: sin(pi/6)
-// = 1/2.
+// the other factors are not; or from both inequalities, or from a square.
 [[nodiscard]] Theorem equation(const Formula& equation, const std::vector<Theorem>& known);
 
 }  // namespace stickslip::proofs::tactics

@@ -41,7 +41,7 @@ std::optional<Rational> Roots::rational_root(const Term& square) const {
     Rational guess(std::lround(wanted * static_cast<long double>(below)), below);
     guess.canonicalize();
     if (std::abs(static_cast<long double>(guess.get_d()) - wanted) < fault * (1 + wanted) &&
-        attempt([&] { return certainly(equal(squared(Term(guess)), square), ranges_); })) {
+        attempt([&] { return certainly(equal(squared(Term(guess)), square), known_); })) {
       return guess;
     }
   }
@@ -51,8 +51,8 @@ std::optional<Rational> Roots::rational_root(const Term& square) const {
 Roots::Bounds Roots::bounded(const Theorem& square, const Theorem& not_negative, const Rational& lower,
                              const Rational& upper) const {
   const Term x = square.conclusion().parts()[0].parts()[0], a = square.conclusion().parts()[1];
-  const Theorem above = certainly(less(squared(lower), a), ranges_),
-                below = certainly(less(a, squared(upper)), ranges_);
+  const Theorem above = certainly(less(squared(lower), a), known_),
+                below = certainly(less(a, squared(upper)), known_);
   const Theorem least =
       below_by_squares(Theorem::order(less(squared(lower), squared(x)), {Positive{{above}}}, {{square}}),
                        not_negative, lower, x);
@@ -66,13 +66,28 @@ Roots::Bounds Roots::bounded(const Theorem& square, const Theorem& not_negative,
 
 void Roots::add(const Theorem& square, const Theorem& not_negative) {
   constexpr std::array relative_widths{0x1p-60L, 0x1p-50L, 0x1p-36L, 0x1p-20L};
-  const long double middle = near(square.conclusion().parts()[1]);
+  const Term &x = square.conclusion().parts()[0].parts()[0], &a = square.conclusion().parts()[1];
+  const auto take = [&](const Bounds& bounds, const Rational& lower, const Rational& middle,
+                        const Rational& upper) {
+    bounds_.push_back(bounds);
+    known_.ranges.emplace(bounds.root, Interval{lower, upper});
+    known_.squares.push_back(square);
+    midpoints_.emplace(bounds.root, middle);
+  };
+  if (const auto zero = attempt([&] { return certainly(equal(a, 0), known_); })) {
+    const Theorem squares =
+        Theorem::order(at_most(squared(x), squared(Term(0))), {}, {{square, -1}, {*zero, -1}});
+    take({Variable{x.name()},
+          {Theorem::order(at_most(0, x), {Positive{{not_negative}}}),
+           at_most_by_squares(squares, certainly(at_most(0, 0)), x, 0)}},
+         0, 0, 0);
+    return;
+  }
+  const long double middle = near(a);
   for (const long double width : relative_widths) {
     const Rational lower = rational(middle * (1 - width)), upper = rational(middle * (1 + width));
     if (const auto found = attempt([&] { return bounded(square, not_negative, lower, upper); })) {
-      bounds_.push_back(*found);
-      ranges_.emplace(found->root, Interval{lower, upper});
-      midpoints_.emplace(found->root, rational(middle));
+      take(*found, lower, rational(middle), upper);
       return;
     }
   }

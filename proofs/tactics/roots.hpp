@@ -16,11 +16,11 @@ class Roots {
   // variable is in a but those added before. Throws KernelError where a is negative, or that is not decided.
   void add(const Theorem& square, const Theorem& not_negative);
 
-  [[nodiscard]] bool contains(const Variable& x) const { return ranges_.contains(x); }
+  [[nodiscard]] bool contains(const Variable& x) const { return known_.ranges.contains(x); }
   // Whether all variables of the term are among them.
   [[nodiscard]] bool know(const Term& term) const;
-  // For certainly() and its like, whose theorems rest on them.
-  [[nodiscard]] const kernel::Ranges& ranges() const { return ranges_; }
+  // For certainly() and its like, whose theorems rest on their ranges.
+  [[nodiscard]] const KnownRoots& known() const { return known_; }
   // The theorem on what add() was given in place of the ranges: of all, of that variable.
   [[nodiscard]] Theorem without_ranges(Theorem theorem) const;
   [[nodiscard]] Theorem without_range(const Variable& x, const Theorem& theorem) const;
@@ -39,7 +39,7 @@ class Roots {
                                const Rational& upper) const;
 
   std::vector<Bounds> bounds_;  // each after those of which its square speaks
-  kernel::Ranges ranges_;
+  KnownRoots known_;
   Point midpoints_;
 };
 

@@ -281,8 +281,7 @@ Theorem positive(const Term& a, const Domain& domain) {
 namespace {
 
 bool has_sine(const Term& term) {
-  return term.kind() == Kind::cosine || term.kind() == Kind::sine ||
-         std::any_of(term.parts().begin(), term.parts().end(), has_sine);
+  return is_wave(term) || std::any_of(term.parts().begin(), term.parts().end(), has_sine);
 }
 
 // ⊢ d ≠ 0 where d m = 1 by normal form, as for a determinant with cos² + sin².

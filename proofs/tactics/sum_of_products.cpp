@@ -38,7 +38,7 @@ Polynomial times(Polynomial a, const Polynomial& b) {
 std::vector<Term> circles_of(const std::vector<Term>& letters) {
   Terms arguments;
   for (const Term& one : letters) {
-    if (one.kind() == Kind::cosine || one.kind() == Kind::sine) {
+    if (is_wave(one)) {
       arguments.insert(one.parts()[0]);
     }
   }
@@ -87,6 +87,7 @@ class SumOfProducts {
     degree_ = degree;
     summands_.clear();
     add_products({{}}, letters_.ring().constant(1), true, 0);
+    add_squares_of_facts();
     add_multiples();
     add_squares();
     add_completed_squares();
@@ -129,6 +130,22 @@ class SumOfProducts {
         Positive larger = product;
         larger.inequalities.push_back(fact);
         add_products(larger, longer, is_strict && fact.conclusion().kind() == Kind::less, k);
+      }
+    }
+  }
+
+  // Squares of what is known, and of products of two: these are not zero either.
+  void add_squares_of_facts() {
+    for (std::size_t i = 0; i < facts_.size(); ++i) {
+      for (std::size_t j = i; j < facts_.size(); ++j) {
+        const auto& [one, a] = facts_[i];
+        const auto& [other, b] = facts_[j];
+        const bool is_strict =
+            one.conclusion().kind() == Kind::less && other.conclusion().kind() == Kind::less;
+        const Polynomial square = times(times(a, b), times(a, b));
+        if (is_strict && degree_of(square) <= degree_ && summands_.size() < most_summands) {
+          summands_.push_back({terms_of(square), Positive{{one, one, other, other}}, {}, true});
+        }
       }
     }
   }
@@ -227,9 +244,26 @@ class SumOfProducts {
     }
   }
 
-  // The squares that complete those of the letters one after the other, in what is wanted.
+  // The squares that complete those of the letters one after the other, in what is wanted, and in that with
+  // the circles added that turn its constant, or half of it, into squares of sines and cosines.
   void add_completed_squares() {
-    Polynomial rest = wanted_;
+    add_completed_squares(wanted_);
+    Rational constant = 0;
+    for (const Monomial& one : monomials(wanted_)) {
+      constant = sum_of(one.degrees) == 0 ? one.coefficient : constant;
+    }
+    for (const Polynomial& circle : circles_) {
+      for (const Rational& factor : {constant, Rational(constant / 2)}) {
+        if (constant > 0) {
+          Polynomial larger = wanted_;
+          larger += times(circle, letters_.ring().constant(factor));
+          add_completed_squares(larger);
+        }
+      }
+    }
+  }
+
+  void add_completed_squares(Polynomial rest) {
     for (std::size_t v = 0; v < letters_.terms().size(); ++v) {
       const Polynomial pivot = coefficient(rest, v, 2);
       const Rational size = leading_coefficient(pivot);

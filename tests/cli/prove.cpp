@@ -72,6 +72,11 @@ TEST_CASE("a proof of a statement of one's own is written for Coq") {
   std::filesystem::remove_all(directory);
   CHECK(stickslip_program({"prove", "H(2 t) = H(t)", "--certificate", directory.string()}).code ==
         exit_refuted);
+  CHECK(content(directory / "Claim_own.v").find("own, which is refuted") != std::string::npos);
+  std::filesystem::remove_all(directory);
+  const Run open = stickslip_program({"prove", "d/dt[1/t] = -1/t^2", "--certificate", directory.string()});
+  CHECK(open.code == exit_undecided);
+  CHECK(open.err.find("what is not decided has no certificate") != std::string::npos);
   CHECK(!std::filesystem::exists(directory));
 }
 
@@ -79,7 +84,8 @@ TEST_CASE("a line that cannot be read is pointed into") {
   const Run run = stickslip_program({"prove", "H1(t)^2 - I = H9(t)"});
   CHECK(run.code == exit_usage);
   CHECK(run.err ==
-        "stickslip: column 15: no symbol 'H9'; there are H, H1, H2, H3, H11, H12.\n"
+        "stickslip: column 15: no symbol 'H9'; there are H, H1, H2, H3, H11, H12; one of your own is named "
+        "by --symbols H9.\n"
         "  H1(t)^2 - I = H9(t)\n"
         "                ^\n");
   CHECK(run.out.empty());

@@ -124,7 +124,7 @@ def test_statements_of_ones_own():
     refuted = stickslip.prove("H1(t)^2 + I = H2(t) H3(t)")
     assert refuted.verdict == "refuted" and "omega1 = " in refuted.reason and len(refuted.corrected) == 1
     assert stickslip.prove("d/dt[1/t] = -1/t^2").verdict == "undecided"
-    with pytest.raises(stickslip.UsageError, match="column 1: no symbol 'nonsense'"):
+    with pytest.raises(stickslip.UsageError, match="column 1: no symbol 'nonsense'; one of your own is named by symbols=nonsense"):
         stickslip.prove("nonsense = 1")
     with pytest.raises(stickslip.UsageError, match="'chi' has a meaning already"):
         stickslip.prove("chi = 1", symbols=["chi"])

@@ -80,9 +80,15 @@ TEST_CASE("an inequality is a sum of products of squares and of what is known") 
   is_proved("a x + b y <= 1", {"a^2 + b^2 = 1", "x^2 + y^2 = 1"});
   is_proved("(a sin(x) + b cos(x))^2 <= a^2 + b^2");
   is_proved("|sin(x)| <= 1");
+  is_proved("3 sin(x) + 4 cos(x) <= 5");
+  is_proved("(1 - x^2)^2 + (2 a x)^2 > 0", {"a > 0", "x > 0"});
+  is_proved("(x - y) (a - b) >= 0", {"x >= y", "a >= b"});
+  is_proved("1/((1 - x^2)^2 + 4 a^2 x^2) <= 1/(4 a^2 (1 - a^2))", {"0 < a < 1", "x > 0"});
   // What is false at one point only, or where an assumption is missing.
-  for (const char * line : {"x^4 - 2 x^2 + 1 > 0", "x (1 - x) >= 0", "a^3 + b^3 + c^3 >= 3 a b c", "x < z",
-                            "x^4 - x^2 + 1 > 7/9", "(a sin(x) + b cos(x))^2 < a^2 + b^2", "|sin(x)| < 1"}) {
+  for (const char * line :
+       {"x^4 - 2 x^2 + 1 > 0", "3 sin(x) + 4 cos(x) < 5", "3 sin(x) + 4 cos(x) <= 4.99",
+        "(1 - x^2)^2 + (2 a x)^2 > 0", "(x - y) (a - b) >= 0", "x (1 - x) >= 0", "a^3 + b^3 + c^3 >= 3 a b c",
+        "x < z", "x^4 - x^2 + 1 > 7/9", "(a sin(x) + b cos(x))^2 < a^2 + b^2", "|sin(x)| < 1"}) {
     CHECK(truth_of(line, {}, own) != Truth::proved);
   }
   CHECK(truth_of("a b < 1", {"0 <= a <= 1", "0 <= b <= 1"}, own) == Truth::refuted);
@@ -187,6 +193,12 @@ TEST_CASE("square roots: where they are numbers, and no root of what changes wit
   CHECK(truth("a cos(t) + b sin(t) <= sqrt(a^2 + b^2/2)") == Truth::refuted);
   CHECK(truth("sqrt((1 - x^2)^2 + 4 zeta^2 x^2) >= 2 zeta sqrt(1 - zeta^2)", {"zeta > 0"}) == Truth::proved);
   CHECK(truth("sqrt((1 - x^2)^2 + 4 zeta^2 x^2) >= 2 zeta", {"0 < zeta < 1"}) == Truth::refuted);
+  CHECK(truth("1/sqrt((1 - x^2)^2 + 4 zeta^2 x^2) <= 1/(2 zeta sqrt(1 - zeta^2))",
+              {"0 < zeta < 1", "x > 0"}) == Truth::proved);
+  CHECK(truth("sqrt(x + 1) - sqrt(x) < 1/(2 sqrt(x))", {"x > 0"}) == Truth::proved);
+  CHECK(truth("sqrt(x + 1) - sqrt(x) < 1/(2 sqrt(x + 1))", {"x > 0"}) == Truth::refuted);
+  CHECK(truth("sqrt(x)/sqrt(y) = sqrt(x/y)") == Truth::proved);
+  CHECK(truth("sqrt(x^2 + y^2) <= abs(x) + abs(y)") == Truth::proved);
   CHECK(truth("a^2 + b^2 > 0", {"a != 0"}) == Truth::proved);
   CHECK(truth("a^2 + b^2 > 0") == Truth::refuted);
   CHECK(truth("1.41421356237309504 < sqrt(2) < 1.41421356237309505") == Truth::proved);
@@ -230,6 +242,28 @@ TEST_CASE("square roots: where they are numbers, and no root of what changes wit
   CHECK(std::ranges::all_of(repaired.repairs, [](const Repair& one) {
     return text(one.statement).find("sqrt(-3 - 2") == std::string::npos;
   }));
+}
+
+TEST_CASE("roots and waves at parts of the circle are algebraic numbers") {
+  const std::vector<std::string> own{"a", "x", "y"};
+  for (const char * line :
+       {"sin(pi/4) = sqrt(2)/2", "sin(pi/4) = cos(pi/4)", "tan(pi/3) = sqrt(3)", "tan(pi/8) = sqrt(2) - 1",
+        "cos(pi/5) = (1 + sqrt(5))/4", "sin(-9 pi/5) = sqrt(5 - sqrt(5))/sqrt(8)",
+        "cos(pi/24) = sqrt(2 + sqrt(2 + sqrt(3)))/2", "sin(pi/12) cos(pi/12) = 1/4",
+        "cos(pi/7) + cos(3 pi/7) + cos(5 pi/7) = 1/2", "sin(pi/7) sin(2 pi/7) sin(3 pi/7) = sqrt(7)/8",
+        "sin(pi/3 + pi/4) = (sqrt(6) + sqrt(2))/4", "cos(pi/3) cos(pi/7) <= cos(pi/7)/2",
+        "sqrt(2) + sqrt(3) = sqrt(5 + 2 sqrt(6))", "sqrt(1/(1 + sqrt(2))) = sqrt(sqrt(2) - 1)",
+        "x pi sin(pi/4) = x pi/sqrt(2)", "cos(t - pi/4) = (cos(t) + sin(t))/sqrt(2)",
+        "sin(t + 2 pi/3) + sin(t - 2 pi/3) + sin(t) = 0", "x^2 + y^2 - 2 x y cos(pi/5) >= 0"}) {
+    CHECK(truth_of(line, {}, own) == Truth::proved);
+  }
+  CHECK(truth_of("a sin(pi/4) < a", {"a > 0"}, own) == Truth::proved);
+  for (const char * line : {"sin(pi/4) = 0.70710678118654752440", "sin(5 pi/4) = sqrt(2)/2",
+                            "cos(2 pi/5) = (1 + sqrt(5))/4", "cos(pi/7) + cos(3 pi/7) = 1/2",
+                            "sqrt(2) + sqrt(3) = sqrt(5 + 2 sqrt(6) + 1/10^12)", "(1 + a^2) sin(pi/4) < 0.7",
+                            "x pi sin(pi/4) = x pi/sqrt(3)", "cos(t - pi/4) = (cos(t) - sin(t))/sqrt(2)"}) {
+    CHECK(truth_of(line, {}, own) == Truth::refuted);
+  }
 }
 
 TEST_CASE("what is a factor of zero is zero where the others are not") {
@@ -289,6 +323,22 @@ TEST_CASE("what is divided by is a hypothesis") {
     texts.push_back(one.text);
   }
   CHECK(texts == std::vector<std::string>{"a != 0", "b != 0", "y != 0"});
+  // Of what is not negative, that it is not zero is all that is missing; no more than once.
+  const auto where = [](const std::string& line, const std::vector<std::string>& assumptions) {
+    std::vector<std::string> result;
+    const Record there = record_of({line, assumptions, {"x", "y"}});
+    CHECK(there.outcome.verdict.truth == Truth::proved);
+    for (const Hypothesis& one : there.outcome.hypotheses) {
+      result.push_back(one.text);
+    }
+    return result;
+  };
+  CHECK(where("1/x > 0", {"x >= 0"}) == std::vector<std::string>{"x != 0"});
+  CHECK(where("1/(x y) < 0", {"x >= 0", "y <= 0"}) == std::vector<std::string>{"x != 0", "y != 0"});
+  CHECK(where("1/sqrt(x) > 0", {}) == std::vector<std::string>{"sqrt(x) != 0"});
+  CHECK(where("1/(1 + x^2) > 0", {}).empty());
+  CHECK(truth_of("1/x > 0", {"x >= 0", "x <= 0"}, {"x"}) == Truth::undecided);
+  CHECK(truth_of("1/x > 0", {"x <= 0"}, {"x"}) == Truth::refuted);
   CHECK(truth_of("cos(x)/cos(x) = 1", {"x = pi"}, {"x"}) == Truth::proved);
   CHECK(truth_of("sin(x)/sin(x) = 1", {"x = 2 pi"}, {"x"}) == Truth::undecided);
 }

@@ -113,7 +113,7 @@ TEST_CASE("formulas without variables are decided as far as balls and normal for
   const auto decides = [](const kernel::Formula& formula) {
     const auto made = [&](const auto& rule) {
       try {
-        return rule(formula, kernel::Ranges{}).hypotheses().empty();
+        return rule(formula, KnownRoots{}).hypotheses().empty();
       } catch (const KernelError&) {
         return false;
       }
@@ -127,6 +127,9 @@ TEST_CASE("formulas without variables are decided as far as balls and normal for
   CHECK(decides(kernel::at_most(kernel::sin(kernel::pi()), 0)) == holds);
   CHECK(decides(less(kernel::sin(kernel::pi()), 0)) == fails);
   CHECK(decides(differ(root, 1)) == holds);
+  CHECK(decides(kernel::equal(root, kernel::cos(kernel::pi() / kernel::Term(4)))) == holds);
+  CHECK(decides(kernel::at_most(2 * root * root, 1)) == holds);
+  CHECK(decides(less(2 * root * root, 1)) == fails);
   CHECK(decides(kernel::all({less(0, root), less(root, 0)})) == fails);
   CHECK(decides(kernel::any({less(0, root), less(root, 0)})) == holds);
   CHECK(decides(kernel::all({})) == holds);
