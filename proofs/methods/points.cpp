@@ -12,6 +12,7 @@
 #include "proofs/methods/reading.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/letters.hpp"
+#include "proofs/tactics/roots.hpp"
 #include "proofs/tactics/slopes.hpp"
 
 namespace stickslip::proofs::methods {
@@ -160,7 +161,7 @@ bool is_of_root(Derivation& derivation, const Formula& equation) {
 // Adds the values of the roots; whether they have some.
 bool add_roots(tactics::Point& values, const std::vector<std::pair<Variable, Term>>& roots) {
   return std::ranges::all_of(roots, [&](const auto& root) {
-    const long double value = std::sqrt(tactics::estimated(root.second, values));
+    const long double value = tactics::nearly_root(tactics::estimated(root.second, values));
     return std::isfinite(value) && values.emplace(root.first, Rational(static_cast<double>(value))).second;
   });
 }

@@ -21,12 +21,17 @@ Rational rational(long double value) {
 
 }  // namespace
 
+long double nearly_root(long double square) {
+  constexpr long double rounding = 1e-15L;
+  return std::sqrt(-rounding < square && square < 0 ? 0 : square);
+}
+
 bool Roots::know(const Term& term) const {
   return std::ranges::all_of(term.variables(), [this](const Variable& x) { return contains(x); });
 }
 
 long double Roots::near(const Term& square) const {
-  const long double result = std::sqrt(estimated(square, midpoints_));
+  const long double result = nearly_root(estimated(square, midpoints_));
   if (!std::isfinite(result)) {
     throw KernelError("there is no root of " + to_string(square));
   }

@@ -10,6 +10,9 @@
 
 namespace stickslip::proofs::tactics {
 
+// The root of a number in floating point, that of one that is negative by rounding alone being 0; else NaN.
+[[nodiscard]] long double nearly_root(long double square);
+
 class Roots {
  public:
   // The variable, of which theorems say x² = a and 0 ≤ x, in a range about what floating point says. No

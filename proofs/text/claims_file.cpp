@@ -562,7 +562,8 @@ class Reading {
     for (const std::string& id : split(ids, ',')) {
       const auto found = assumptions_.find(id);
       if (found == assumptions_.end()) {
-        fail(fmt::format("nothing is assumed as '{}'", id));
+        fail(fmt::format("nothing is assumed as '{}'{}", id,
+                         is_name(id) ? "" : "; what is assumed here takes a name: 'if NAME: " + id + "'"));
       }
       result.insert(result.end(), found->second.begin(), found->second.end());
     }

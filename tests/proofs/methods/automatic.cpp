@@ -246,15 +246,26 @@ TEST_CASE("square roots: where they are numbers, and no root of what changes wit
 
 TEST_CASE("roots and waves at parts of the circle are algebraic numbers") {
   const std::vector<std::string> own{"a", "x", "y"};
-  for (const char * line :
-       {"sin(pi/4) = sqrt(2)/2", "sin(pi/4) = cos(pi/4)", "tan(pi/3) = sqrt(3)", "tan(pi/8) = sqrt(2) - 1",
-        "cos(pi/5) = (1 + sqrt(5))/4", "sin(-9 pi/5) = sqrt(5 - sqrt(5))/sqrt(8)",
-        "cos(pi/24) = sqrt(2 + sqrt(2 + sqrt(3)))/2", "sin(pi/12) cos(pi/12) = 1/4",
-        "cos(pi/7) + cos(3 pi/7) + cos(5 pi/7) = 1/2", "sin(pi/7) sin(2 pi/7) sin(3 pi/7) = sqrt(7)/8",
-        "sin(pi/3 + pi/4) = (sqrt(6) + sqrt(2))/4", "cos(pi/3) cos(pi/7) <= cos(pi/7)/2",
-        "sqrt(2) + sqrt(3) = sqrt(5 + 2 sqrt(6))", "sqrt(1/(1 + sqrt(2))) = sqrt(sqrt(2) - 1)",
-        "x pi sin(pi/4) = x pi/sqrt(2)", "cos(t - pi/4) = (cos(t) + sin(t))/sqrt(2)",
-        "sin(t + 2 pi/3) + sin(t - 2 pi/3) + sin(t) = 0", "x^2 + y^2 - 2 x y cos(pi/5) >= 0"}) {
+  for (const char * line : {"sin(pi/4) = sqrt(2)/2",
+                            "sin(pi/4) = cos(pi/4)",
+                            "tan(pi/3) = sqrt(3)",
+                            "tan(pi/8) = sqrt(2) - 1",
+                            "cos(pi/5) = (1 + sqrt(5))/4",
+                            "sin(-9 pi/5) = sqrt(5 - sqrt(5))/sqrt(8)",
+                            "cos(pi/24) = sqrt(2 + sqrt(2 + sqrt(3)))/2",
+                            "sin(pi/12) cos(pi/12) = 1/4",
+                            "cos(pi/7) + cos(3 pi/7) + cos(5 pi/7) = 1/2",
+                            "sin(pi/7) sin(2 pi/7) sin(3 pi/7) = sqrt(7)/8",
+                            "sin(pi/3 + pi/4) = (sqrt(6) + sqrt(2))/4",
+                            "cos(pi/3) cos(pi/7) <= cos(pi/7)/2",
+                            "sqrt(2) + sqrt(3) = sqrt(5 + 2 sqrt(6))",
+                            "sqrt(cos(pi/2)) = 0",
+                            "1 + sqrt(1 - sin(pi/2)) = 1",
+                            "sqrt(1/(1 + sqrt(2))) = sqrt(sqrt(2) - 1)",
+                            "x pi sin(pi/4) = x pi/sqrt(2)",
+                            "cos(t - pi/4) = (cos(t) + sin(t))/sqrt(2)",
+                            "sin(t + 2 pi/3) + sin(t - 2 pi/3) + sin(t) = 0",
+                            "x^2 + y^2 - 2 x y cos(pi/5) >= 0"}) {
     CHECK(truth_of(line, {}, own) == Truth::proved);
   }
   CHECK(truth_of("a sin(pi/4) < a", {"a > 0"}, own) == Truth::proved);

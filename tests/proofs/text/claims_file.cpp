@@ -379,6 +379,8 @@ TEST_CASE("what a file may not say is refused with its place") {
   CHECK(refusal_of("claim c step: half $a\n  a = a\n") ==
         "F:3: 'half $a': a formula in words stands between two dollars");
   CHECK(refusal_of("claim c step: .\n  a = b\n  if e\n") == "F:5: nothing is assumed as 'e'");
+  CHECK(refusal_of("claim c step: .\n  a = b\n  if a > 0\n") ==
+        "F:5: nothing is assumed as 'a > 0'; what is assumed here takes a name: 'if NAME: a > 0'");
   CHECK(refusal_of("claim c step: .\n  a = b\n  by magic\n")
             .starts_with("F:5: 'magic' is no method of proof: there are normal form"));
   CHECK(refusal_of("claim c step: .\n  a = b\n  by rewriting d\n") ==
