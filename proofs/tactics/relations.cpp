@@ -190,6 +190,13 @@ class Search {
     return nonzero(Theorem::order(goal, {quotient}), differ_from_0);
   }
 
+  // 0 < 0.
+  Theorem contradiction(const Theorems& known) {
+    Theorems facts = known;
+    add_what_letters_say(0, known, 2, facts);
+    return sum_of_products(less(0, 0), facts, work_);
+  }
+
   // 0 < a or 0 ≤ a, of a polynomial in letters.
   Theorem positive(const Term& a, bool strictly, const Theorems& known, int depth) {
     const Formula goal = is_positive(a, strictly);
@@ -458,10 +465,25 @@ class Search {
   long work_ = 400000;
 };
 
+// a < b or a ≤ b, since what is known contradicts the opposite.
+Theorem by_contradiction(const Formula& goal, const Theorems& known) {
+  const Term &a = sides_of(goal)[0], &b = sides_of(goal)[1];
+  const Formula opposite = goal.kind() == Kind::less ? at_most(b, a) : less(b, a);
+  constexpr std::size_t most = 16;
+  Theorems more = of_use(
+      goal, known, [](const Formula& one) { return one.variables(); }, most);
+  more.push_back(Theorem::assume(opposite));
+  return Theorem::consequence({impossible(opposite, Search().contradiction(more)), Theorem::trichotomy(a, b)},
+                              goal);
+}
+
 // f = 0, from f ≤ 0 and 0 ≤ f.
 Theorem by_both_sides(const Term& f, const Theorems& known) {
-  return Theorem::consequence({Search().decided(at_most(f, 0), known), Search().decided(at_most(0, f), known),
-                               Theorem::trichotomy(f, 0)},
+  const auto side = [&](const Formula& goal) {
+    const auto found = attempt([&] { return Search().decided(goal, known); });
+    return found ? *found : by_contradiction(goal, known);
+  };
+  return Theorem::consequence({side(at_most(f, 0)), side(at_most(0, f)), Theorem::trichotomy(f, 0)},
                               equal(f, 0));
 }
 
@@ -523,7 +545,7 @@ Theorem inequality(const Formula& inequality, const std::vector<Theorem>& known)
       }
     }
   }
-  throw KernelError("it is no sum of products of what is known");
+  return by_contradiction(inequality, known);
 }
 
 Theorem equation(const Formula& equation, const std::vector<Theorem>& known) {

@@ -165,13 +165,17 @@ class SumOfProducts {
     }
   }
 
-  // In the letters of what is wanted and of equations, to at most the degrees that they have there over this.
+  // In the letters of what is wanted and of equations, for 0 < 0 of facts, to at most the degrees that they
+  // have there over this.
   [[nodiscard]] std::vector<Degrees> monomials_up_to(int most, int over) const {
     std::vector<Degrees> result(most < 0 ? 0 : 1, Degrees(letters_.terms().size()));
     for (std::size_t v = 0; v < letters_.terms().size(); ++v) {
       int highest = std::max(degree(wanted_, v), occurs_with_partner(v) ? 1 : 0);
       for (const auto& equation : equations_) {
         highest = std::max(highest, degree(equation.second, v));
+      }
+      for (std::size_t k = 0; k < facts_.size() && wanted_.is_zero(); ++k) {
+        highest = std::max(highest, degree(facts_[k].second, v));
       }
       const std::size_t before = result.size();
       for (std::size_t k = 0; k < before; ++k) {
@@ -331,11 +335,17 @@ class SumOfProducts {
         strict.insert(columns.size());
       }
       columns.push_back(dense(one->value));
+      if (wanted_.is_zero()) {  // of the multiples of one solution that whose strict summands add up to 1
+        columns.back().emplace_back(one->is_strict ? 1 : 0);
+      }
+    }
+    Column right = dense(monomials(wanted_));
+    if (wanted_.is_zero()) {
+      right.emplace_back(1);
     }
     work_ -= static_cast<long>(summands_.size() * rows.size());
     const bool may_be = goal_.kind() != Kind::less || !strict.empty();
-    const auto factors =
-        may_be ? nonnegative_solution(columns, dense(monomials(wanted_)), strict) : std::nullopt;
+    const auto factors = may_be ? nonnegative_solution(columns, right, strict) : std::nullopt;
     if (!factors) {
       throw KernelError("it is no sum of products of this degree");
     }

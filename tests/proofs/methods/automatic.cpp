@@ -94,6 +94,25 @@ TEST_CASE("an inequality is a sum of products of squares and of what is known") 
   CHECK(truth_of("a b < 1", {"0 <= a <= 1", "0 <= b <= 1"}, own) == Truth::refuted);
 }
 
+TEST_CASE("an inequality holds where its opposite contradicts what is known") {
+  const std::vector<std::string> own{"x", "y"};
+  CHECK(truth_of("x < y", {"x^3 < y^3"}, own) == Truth::proved);
+  CHECK(truth_of("x = y", {"x^3 = y^3"}, own) == Truth::proved);
+  CHECK(truth_of("x < 2", {"x^3 + x < 10"}, own) == Truth::proved);
+  CHECK(truth_of("x = y", {"exp(x) = exp(y)"}, own) == Truth::proved);
+  CHECK(truth_of("x = 0", {"exp(x) = 1"}, own) == Truth::proved);
+  CHECK(truth_of("x = y", {"x + exp(x) = y + exp(y)"}, own) == Truth::proved);
+  CHECK(truth_of("x < y", {"x exp(x) < y exp(y)", "x > 0", "y > 0"}, own) == Truth::proved);
+  for (const std::vector<std::string>& assumed : {std::vector<std::string>{"x^2 < y^2"},
+                                                  {"x^3 <= y^3"},
+                                                  {"exp(x) <= exp(y)"},
+                                                  {"x exp(x) < y exp(y)"}}) {
+    CHECK(truth_of("x < y", assumed, own) == Truth::refuted);
+  }
+  CHECK(truth_of("x = y", {"exp(x) = exp(-y)"}, own) == Truth::refuted);
+  CHECK(truth_of("x = y", {"x exp(x) = y exp(y)"}, own) != Truth::proved);
+}
+
 TEST_CASE("an inequality is followed along a variable in a sine or cosine") {
   CHECK(truth_of("sin(t) < t", {"t > 0"}) == Truth::proved);
   CHECK(truth_of("sin(t) > t", {"t < 0"}) == Truth::proved);
