@@ -235,7 +235,7 @@ Theorem order_by_squares_of_parts(Derivation& derivation, const Formula& formula
   const tactics::Letters letters({gap});
   const auto [above, below] = letters.fraction(gap);
   std::vector<Monomial> negative, positive;
-  for (Monomial one : monomials(above)) {
+  for (const Monomial& one : monomials(above)) {
     (one.coefficient < 0 ? negative : positive).push_back(one);
     if (one.coefficient < 0) {
       negative.back().coefficient = -one.coefficient;

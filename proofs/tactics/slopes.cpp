@@ -23,7 +23,7 @@ Term function_in(const Formula& rate) {
 class Rate {
  public:
   // t stands in nothing that is known of D.
-  Rate(Variable D, Theorem all, const Variable& t) : D_(std::move(D)), all_(std::move(all)) {
+  Rate(Variable D, const Theorem& all, const Variable& t) : D_(std::move(D)), all_(all) {
     const Theorem slope = Theorem::differentiate(function_in(all_.conclusion()), t);
     if (slope.hypotheses().empty()) {
       always_ = Theorem::generalize(Theorem::unique_derivative(Theorem::specialize(all_, t), slope), t);
