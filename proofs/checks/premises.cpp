@@ -122,8 +122,8 @@ void finish(Premises& premises, std::vector<Statement>& statements) {
 
 bool stands_for_itself(const Term& term) {
   const Lookup<Ball> one = [](const std::string&) { return Ball(1); };
-  return term.op() == Op::symbol && term.shape().is_scalar() && !abbreviated(term) &&
-         !derived<Ball>(term.name(), one);
+  return term.op() == Op::symbol && term.shape().is_scalar() && term.name() != pi().name() &&
+         !abbreviated(term) && !derived<Ball>(term.name(), one);
 }
 
 // The states first: they are solved for before what the friction does.

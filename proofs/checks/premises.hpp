@@ -32,7 +32,7 @@ struct Premises {
 [[nodiscard]] Premises premises_of(methods::Prover& prover, const methods::Claim& claim,
                                    const methods::Outcome& outcome);
 
-// Whether it is a scalar to which neither the table of symbols nor the model gives a value.
+// Whether it is a scalar to which neither the table of symbols nor the model gives a value, nor is it pi.
 [[nodiscard]] bool stands_for_itself(const symbols::Term& term);
 
 // The scalars that equations are solved for: states, the constant coefficients d_i of (21), accelerations,

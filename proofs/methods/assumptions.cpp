@@ -125,6 +125,7 @@ bool rests_on_other_roots(const kernel::Theorem& theorem, const Claim& claim, co
 bool is_substitution(const Assumption& assumption) {
   return assumption.statement.relation == Relation::equal && assumption.statement.left.op() == Op::symbol &&
          assumption.statement.left.shape().is_scalar() &&
+         assumption.statement.left.name() != symbols::pi().name() &&  // which has its value
          !depends_on(assumption.statement.right, assumption.statement.left.name());
 }
 

@@ -12,7 +12,7 @@
 namespace stickslip::proofs::methods {
 
 // An assumption of the form "scalar = value", which is put in wherever the scalar stands; the value does not
-// speak of it.
+// speak of it, and the symbol is not pi.
 [[nodiscard]] bool is_substitution(const Assumption& assumption);
 
 // The claim that prints these statements. Of each root sqrt(a) in them, and in what it assumes, it assumes

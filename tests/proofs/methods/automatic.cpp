@@ -397,7 +397,18 @@ TEST_CASE("nothing follows from what nothing obeys") {
   CHECK(reason_of({"tau = tau + 1", {"z10 z20 = 1", "z10 z20 = 2"}}).starts_with("vacuous"));
   CHECK(truth_of("omega = 1", {"omega1 > omega2"}) == Truth::undecided);
   CHECK(truth_of("x = 1", {"0 < 0"}, {"x"}) != Truth::proved);
+  CHECK(truth_of("cos(pi) = -1", {"pi = 3"}) == Truth::undecided);
+  CHECK(truth_of("cos(3) = -1", {"pi = 3"}) == Truth::undecided);
+  CHECK(truth_of("sin(pi/4) = sqrt(2)/2", {"pi = 3"}) == Truth::undecided);
+  CHECK(truth_of("cos(x) = -1", {"pi = x"}, {"x"}) == Truth::proved);
+  CHECK(truth_of("x < 3", {"pi = x"}, {"x"}) == Truth::refuted);
   CHECK(truth_of("1/x = 2", {"x = 0"}, {"x"}) != Truth::proved);
+}
+
+TEST_CASE("a root of what is 0 up to rounding has its digits in the witness") {
+  CHECK(truth_of("sqrt(sin(pi) - x^2) = 1", {}, {"x"}) == Truth::refuted);
+  CHECK(reason_of({"sqrt(sin(pi) - x^2) = 1", {}, {"x"}}).find("nan") == std::string::npos);
+  CHECK(truth_of("sqrt(sin(pi) - 1/10^80 - x^2) = 3", {}, {"x"}) == Truth::undecided);
 }
 
 TEST_CASE("what is not decided says why") {
