@@ -117,8 +117,11 @@ Passage Chain::course(const Nodes& nodes, std::size_t i, bool with_derivative) c
 }
 
 Node Chain::conditions(const Nodes& nodes, std::size_t i) const {
+  return conditions(nodes, i, course(nodes, i, false).reached);
+}
+
+Node Chain::conditions(const Nodes& nodes, std::size_t i, const Vector& reached) const {
   const Eigen::Index n = phases_.masses();
-  const Vector reached = course(nodes, i, false).reached;
   Node F(2 * n);
   F.head(2 * n - 1) = next(nodes, i).tail(2 * n - 1) - without(reached);
   F(2 * n - 1) = dot(event(i), reached);
@@ -177,8 +180,12 @@ PassageInData Chain::course(const NodesInData& nodes, std::size_t i, bool with_d
 }
 
 InData<Matrix> Chain::conditions(const NodesInData& nodes, std::size_t i) const {
+  return conditions(nodes, i, course(nodes, i, false).reached);
+}
+
+InData<Matrix> Chain::conditions(const NodesInData& nodes, std::size_t i,
+                                 const InData<Matrix>& reached) const {
   const Eigen::Index n = phases_.masses();
-  const InData<Matrix> reached = course(nodes, i, false).reached;
   InData<Matrix> apart = mapped(reached, [&](const Matrix& w) { return Matrix(-without(w)); });
   apart +=
       mapped(nodes[(i + 1) % size()], [&](const Matrix& node) { return Matrix(node.bottomRows(2 * n - 1)); });
@@ -216,7 +223,7 @@ Link Chain::link(const NodesInData& nodes, std::size_t i) const {
   InData<Matrix> times = longer;
   times += InData<Matrix>(time);
   Link link{mapped(times, [&](const Matrix& row) { return placed(row, 0, states); }), Node(states),
-            rate.all()};
+            rate.all(), conditions(nodes, i, phase.reached).all()};
   link.M += mapped(state, [&](const Matrix& A) { return placed(without(A), 1, states); });
   link.end_velocity << Ball(1), without(arrives.all());
   return link;
@@ -256,6 +263,7 @@ Link Chain::link(const Nodes& nodes, std::size_t i) const {
   link.end_velocity.resize(2 * n);
   link.end_velocity << Ball(1), without(course.arrives);
   link.rate = dot(D, course.arrives);
+  link.conditions = conditions(nodes, i, course.reached);
   Matrix M(2 * n, 2 * n);
   M << reached.time.transpose(), without(reached.state);
   link.M = InData<Matrix>(M);

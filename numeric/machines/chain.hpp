@@ -44,6 +44,7 @@ struct Link {
   InData<Matrix> M;   // of one machine a constant
   Node end_velocity;  // (1, the velocity of the flow at its end, without x_j'')
   Ball rate;          // g': how fast the event is passed
+  Node conditions;    // of the phase between the nodes
   [[nodiscard]] Node response(const Node& F) const;
 };
 
@@ -86,6 +87,10 @@ class Chain {
 
  private:
   [[nodiscard]] Node next(const Nodes& nodes, std::size_t i) const;
+  // The conditions of phase i where it has reached that.
+  [[nodiscard]] Node conditions(const Nodes& nodes, std::size_t i, const Vector& reached) const;
+  [[nodiscard]] InData<Matrix> conditions(const NodesInData& nodes, std::size_t i,
+                                          const InData<Matrix>& reached) const;
   // Phase i from its node: w and w' at its ends, and where it is asked for the derivative of (x, x').
   [[nodiscard]] Passage course(const Nodes& nodes, std::size_t i, bool with_derivative) const;
   // How the time and (x, x') of a node depend on its numbers.

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <tuple>
 
 #include "numeric/zeros/krawczyk.hpp"
 #include "numeric/zeros/linear_solve.hpp"
@@ -63,12 +65,13 @@ Matrix orthogonal(const Eigen::MatrixXd& W) {
       v(i) = Ball(found(i, k));
       add_product(square, v(i), v(i));
     }
+    const Ball twice = Ball(2) / square;
     for (Eigen::Index j = k; j < n; ++j) {
       Ball part(0);
       for (Eigen::Index i = k; i < n; ++i) {
         add_product(part, v(i), Q(i, j));
       }
-      part = Ball(2) * part / square;
+      part *= twice;
       for (Eigen::Index i = k; i < n; ++i) {
         subtract_product(Q(i, j), part, v(i));
       }
@@ -103,10 +106,10 @@ std::optional<Matrix> enclosed_inverse(const Matrix& A, const Matrix& Y) {
 
 namespace {
 
-// Contains the solutions of C x = v, C = 1 - P: with Y near the inverse, where C is linear, and |1 - Y C| = e
-// < 1 they are within e/(1 - e) |Y v| of Y v.
-std::optional<Node> solved(const InData<Matrix>& P, const Node& v) {
-  const Matrix one = Matrix::Identity(v.size(), v.size());
+// Solves C x = v, C = 1 - P: with Y near the inverse, where C is linear, and |1 - Y C| = e < 1 the solutions
+// are within e/(1 - e) |Y v| of Y v. That Y, of all, and e/(1 - e).
+std::optional<std::pair<Matrix, Ball>> solver(const InData<Matrix>& P) {
+  const Matrix one = Matrix::Identity(P.c[0].rows(), P.c[0].rows());
   const Matrix C = one - P.c[0];
   const auto inverse = is_finite(P) ? zeros::row_combinations(C) : std::nullopt;
   if (!inverse) {
@@ -126,16 +129,7 @@ std::optional<Node> solved(const InData<Matrix>& P, const Node& v) {
   if (!room.is_positive()) {
     return std::nullopt;
   }
-  Node x = product(Y.all(), v);
-  Ball largest(0);
-  for (const Ball& entry : x) {
-    arb_max(largest.raw(), largest.raw(), abs(entry).upper().raw(), WorkingPrecision::bits());
-  }
-  const Ball off = scalars::within(largest * e / room);
-  for (Ball& entry : x) {
-    entry += off;
-  }
-  return x;
+  return std::pair(Y.all(), Ball(e / room));
 }
 
 // Powers of two, as exponents, in which the links are balanced.
@@ -174,42 +168,62 @@ Node scaled(Node d, const std::vector<long>& units, long sign) {
 
 }  // namespace
 
-std::optional<Sweep> sweep(std::vector<Link> links, const Nodes& g) {
+std::optional<LinearChain> LinearChain::of(std::vector<Link> links) {
   const bool finite =
       std::all_of(links.begin(), links.end(), [](const Link& link) { return is_finite(link.M); });
   if (!finite) {
     return std::nullopt;
   }
-  const std::vector<long> units = units_of(links);
+  LinearChain chain;
+  chain.units_ = units_of(links);
   for (Link& link : links) {
     for (Matrix& coefficient : link.M.c) {
-      scale(coefficient, units);
+      scale(coefficient, chain.units_);
     }
-    scale(link.M.rest, units);
+    scale(link.M.rest, chain.units_);
   }
   const std::size_t count = links.size();
-  const std::vector<Matrix> Q = frames(links);
-  const Eigen::Index n = Q.front().rows();
-  // e_i = P_i e_0 + h_i.
-  std::vector<InData<Matrix>> P{InData<Matrix>(Matrix::Identity(n, n))};
-  Nodes h{Node::Constant(n, Ball(0))};
+  chain.Q_ = frames(links);
+  InData<Matrix> P(Matrix::Identity(chain.Q_.front().rows(), chain.Q_.front().rows()));
+  chain.P_.push_back(P.all());
   for (std::size_t i = 0; i < count; ++i) {
-    const Matrix to = Q[(i + 1) % count].transpose();
+    const Matrix to = chain.Q_[(i + 1) % count].transpose();
     const InData<Matrix> R =
-        mapped(links[i].M, [&](const Matrix& M) { return Matrix(product(to, product(M, Q[i]))); });
-    P.push_back(R * P[i]);
-    h.emplace_back(product(R.all(), h[i]) + product(to, scaled(g[i], units, 1)));
+        mapped(links[i].M, [&](const Matrix& M) { return Matrix(product(to, product(M, chain.Q_[i]))); });
+    P = R * P;
+    chain.R_.push_back(R.all());
+    chain.P_.push_back(P.all());
   }
-  const auto first = solved(P.back(), h.back());
-  if (!first) {
+  const auto solving = solver(P);
+  if (!solving) {
     return std::nullopt;
   }
-  Sweep result{{}, P.back().all()};
+  std::tie(chain.inverse_, chain.share_) = *solving;
+  return chain;
+}
+
+Nodes LinearChain::deviations(const Nodes& g) const {
+  const std::size_t count = R_.size();
+  Nodes h{Node::Constant(inverse_.rows(), Ball(0))};
   for (std::size_t i = 0; i < count; ++i) {
-    const Node deviation = product(Q[i], Node(product(P[i].all(), *first) + h[i]));
-    result.deviations.emplace_back(scaled(deviation, units, -1));
+    const Matrix to = Q_[(i + 1) % count].transpose();
+    h.emplace_back(product(R_[i], h[i]) + product(to, scaled(g[i], units_, 1)));
   }
-  return result;
+  Node first = product(inverse_, h.back());
+  Ball largest(0);
+  for (const Ball& entry : first) {
+    arb_max(largest.raw(), largest.raw(), abs(entry).upper().raw(), WorkingPrecision::bits());
+  }
+  const Ball off = scalars::within(largest * share_);
+  for (Ball& entry : first) {
+    entry += off;
+  }
+  Nodes deviations;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Node deviation = product(Q_[i], Node(product(P_[i], first) + h[i]));
+    deviations.emplace_back(scaled(deviation, units_, -1));
+  }
+  return deviations;
 }
 
 namespace {
@@ -239,6 +253,12 @@ Nodes responses(const std::vector<Link>& links, const Nodes& conditions) {
     g.push_back(links[i].response(conditions[i]));
   }
   return g;
+}
+
+Nodes conditions_of(const std::vector<Link>& links) {
+  Nodes F;
+  std::ranges::transform(links, std::back_inserter(F), &Link::conditions);
+  return F;
 }
 
 Nodes conditions_of(const Chain& chain, const Nodes& nodes) {
@@ -300,6 +320,7 @@ Approach approximate(Chains& chains, Nodes nodes, long bits) {
   long precision = std::min(fewest_bits, bits);
   long before = far_away;
   std::vector<Link> links;
+  std::optional<LinearChain> linear;
   long gain = 0;  // of a step over the one before, as a power of two: the step where the links are
   for (int k = 0; k < most_steps; ++k) {
     const WorkingPrecision scope(precision);
@@ -307,18 +328,19 @@ Approach approximate(Chains& chains, Nodes nodes, long bits) {
     const bool fresh = gain > near_enough;
     if (fresh) {
       links = links_of(chain, nodes);
+      linear = LinearChain::of(links);
     }
-    const Nodes g = midpoints(responses(links, conditions_of(chain, nodes)));
-    const auto found = sweep(links, g);
-    if (!found) {
+    if (!linear) {
       return {};
     }
-    const long size = exponent(found->deviations);
+    const Nodes F = fresh ? conditions_of(links) : conditions_of(chain, nodes);
+    const Nodes step = linear->deviations(midpoints(responses(links, F)));
+    const long size = exponent(step);
     if (size > far_away) {
       return {{}, true};
     }
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      nodes[i] = zeros::midpoints(nodes[i] + found->deviations[i]);
+      nodes[i] = zeros::midpoints(nodes[i] + step[i]);
     }
     gain = fresh ? size : gain;
     // The step after this one is as much smaller, or as small as rounding allows.
@@ -360,18 +382,19 @@ bool is_inside(const Nodes& nodes, const Nodes& room) {
 ChainProof test(const Chain& chain, const Nodes& m, long exponent) {
   const Nodes X = boxes(m, exponent);
   const std::vector<Link> links = links_of(chain, X);
-  const auto image = sweep(links, responses(links, conditions_of(chain, m)));
-  if (!image) {
+  const auto linear = LinearChain::of(links);
+  if (!linear) {
     return open("an event of the motion may not be transversal, or 1 may be a multiplier");
   }
+  const Nodes deviations = linear->deviations(responses(links, conditions_of(chain, m)));
   Nodes N = m;
   for (std::size_t i = 0; i < N.size(); ++i) {
-    N[i] += image->deviations[i];
+    N[i] += deviations[i];
   }
   if (!is_inside(N, X)) {
     return open("no box around the guess passed Newton's test");
   }
-  return {Verdict::proved(), WorkingPrecision::bits(), N, X, image->return_map};
+  return {Verdict::proved(), WorkingPrecision::bits(), N, X, linear->return_map()};
 }
 
 }  // namespace
@@ -428,6 +451,10 @@ std::optional<Nodes> approximate_chain(const MachineQuestion& question, const No
 std::optional<NodesInData> approximate_chains(const Chain& chain, const Chain& in_middle,
                                               const Nodes& middle) {
   const std::vector<Link> links = links_of(in_middle, midpoints(middle));
+  const auto linear = LinearChain::of(links);
+  if (!linear) {
+    return std::nullopt;
+  }
   const std::size_t count = monomials(chain.data());
   NodesInData nodes;
   for (const Node& u : middle) {
@@ -449,12 +476,9 @@ std::optional<NodesInData> approximate_chains(const Chain& chain, const Chain& i
         g.push_back(zeros::midpoints(is_none(of_monomial) ? Node::Constant(middle[i].size(), Ball(0))
                                                           : links[i].response(of_monomial)));
       }
-      const auto found = sweep(links, g);
-      if (!found) {
-        return std::nullopt;
-      }
+      const Nodes deviations = linear->deviations(g);
       for (std::size_t i = 0; i < nodes.size(); ++i) {
-        nodes[i].c[place] = zeros::midpoints(found->deviations[i]);
+        nodes[i].c[place] = zeros::midpoints(deviations[i]);
       }
     }
   }
@@ -465,21 +489,19 @@ std::optional<NodesInData> approximate_chains(const Chain& chain, const Chain& i
 // of the box for one s, lies in the balls for the box.
 ChainProof prove_chains(const Chain& chain, const NodesInData& nodes, const std::vector<Known>& known) {
   constexpr int attempts = 3;
-  Nodes F;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    F.emplace_back(chain.conditions(nodes, i).all());
-  }
   std::vector<Link> links = links_of(chain, nodes);
-  auto image = sweep(links, responses(links, F));
-  for (int attempt = 0; attempt < attempts && image; ++attempt) {
-    const Nodes room = room_for(image->deviations);
+  const Nodes F = conditions_of(links);
+  auto linear = LinearChain::of(links);
+  for (int attempt = 0; attempt < attempts && linear; ++attempt) {
+    const Nodes room = room_for(linear->deviations(responses(links, F)));
     NodesInData X = nodes;
     for (std::size_t i = 0; i < X.size(); ++i) {
       X[i].rest = room[i];
     }
     links = links_of(chain, X);
-    image = sweep(links, responses(links, F));
-    if (!image || !is_inside(image->deviations, room)) {
+    linear = LinearChain::of(links);
+    const Nodes image = linear ? linear->deviations(responses(links, F)) : room;
+    if (!is_inside(image, room)) {
       continue;
     }
     for (const Known& one : known) {
@@ -490,10 +512,10 @@ ChainProof prove_chains(const Chain& chain, const NodesInData& nodes, const std:
         }
       }
     }
-    ChainProof proof{Verdict::proved(), WorkingPrecision::bits(), {}, {}, image->return_map};
+    ChainProof proof{Verdict::proved(), WorkingPrecision::bits(), {}, {}, linear->return_map()};
     for (std::size_t i = 0; i < X.size(); ++i) {
       proof.unique.emplace_back(X[i].all());
-      X[i].rest = image->deviations[i];
+      X[i].rest = image[i];
       proof.nodes.emplace_back(X[i].all());
     }
     proof.in_data = X;

@@ -29,15 +29,23 @@ namespace stickslip::numeric::machines {
 // anything: a landing on the belt collapses a direction.
 [[nodiscard]] model::MatrixX<Ball> orthogonal(const Eigen::MatrixXd& W);
 
-struct Sweep {
-  // Contain the deviations at all nodes, for all members of the links and of g.
-  Nodes deviations;
+class LinearChain {
+ public:
+  // Nothing when a link is not finite, or 1 may be an eigenvalue of the return map.
+  [[nodiscard]] static std::optional<LinearChain> of(std::vector<Link> links);
+  // Contain the deviations at all nodes, for all members of the links and of g, of which there are as many.
+  [[nodiscard]] Nodes deviations(const Nodes& g) const;
   // Similar to the derivative of the map round the chain: it has the same eigenvalues.
-  model::MatrixX<Ball> return_map;
-};
+  [[nodiscard]] const model::MatrixX<Ball>& return_map() const { return P_.back(); }
 
-// g: as many as links. Nothing when something is not finite, or 1 may be an eigenvalue of the return map.
-[[nodiscard]] std::optional<Sweep> sweep(std::vector<Link> links, const Nodes& g);
+ private:
+  LinearChain() = default;
+
+  std::vector<long> units_;  // powers of two, as exponents, in which the links are balanced
+  std::vector<model::MatrixX<Ball>> Q_, R_, P_;  // e_i = P_i e_0 + what g adds
+  model::MatrixX<Ball> inverse_;                 // near that of 1 - P at the end
+  Ball share_;                                   // so far off, in parts of a solution
+};
 
 // Existence and uniqueness of a closed chain near a guess, by the interval Newton operator.
 //

@@ -11,6 +11,9 @@
 
 namespace stickslip::numeric::machines {
 
+using scalars::anything;
+using scalars::HardwareBall;
+using scalars::within;
 using zeros::product;
 
 namespace {
@@ -18,6 +21,16 @@ namespace {
 // More than what is lost below the range of doubles.
 constexpr double tiny = 1e-290;
 constexpr std::array<int, 5> factorial{1, 1, 2, 6, 24};
+
+// Not less than the size of any member.
+double most(const Ball& x) {
+  mag_t size;
+  mag_init(size);
+  arb_get_mag(size, x.raw());
+  const double result = mag_get_d(size);
+  mag_clear(size);
+  return result;
+}
 
 // The largest size, from above.
 Ball largest(const Vector& v, const Vector& weights) {
@@ -49,7 +62,7 @@ Watched::Watched(const LinearPhases& phases, Piece piece, const InData<Matrix>& 
     count_ = static_cast<std::size_t>(stretches);
   }
   covers_ = !(Ball(static_cast<double>(count_) * watch_->length) - T).lower().is_negative();
-  stretches_.push_back({0, watch_->length, w, {}, {}, {}, {}});
+  stretches_.push_back({0, watch_->length, w, {}, {}, {}, {}, {}});
 }
 
 template <class S>
@@ -61,8 +74,8 @@ void Watched::follow(const model::VectorX<S>& w, const Ball& T) {
       speeds(k) = InData<Ball>(step.w[static_cast<std::size_t>(k)](phases_.speed_row()));
     }
     const InData<Vector> terms = mapped(together(speeds), [](const Matrix& x) { return Vector(x); });
-    stretches_.push_back(
-        {step.start, step.length * phase.longer, {}, terms, terms.all(), zeros::in_double(terms.c[0]), {}});
+    stretches_.push_back({step.start, step.length * phase.longer, {}, terms, {}, {}, {}, {}});
+    finish(stretches_.back());
   }
   count_ = stretches_.size();
   covers_ = count_ > 0 &&
@@ -71,16 +84,10 @@ void Watched::follow(const model::VectorX<S>& w, const Ball& T) {
 
 // row B^m w/m!.
 InData<Vector> Watched::terms_at(const InData<Matrix>& w) const {
-  const auto count = static_cast<Eigen::Index>(watch_->rows.size());
   if (!phases_.is_over_data()) {
-    return mapped(w, [&](const Vector& one) {
-      Vector terms(count);
-      for (Eigen::Index m = 0; m < count; ++m) {
-        terms(m) = dot(watch_->rows[static_cast<std::size_t>(m)], one);
-      }
-      return terms;
-    });
+    return mapped(w, [&](const Matrix& one) { return Vector(product(watch_->rows, one)); });
   }
+  const Eigen::Index count = watch_->rows.rows();
   const InData<Matrix> B = phases_.drift_in_data(piece_) * Ball(reversed_ ? -1 : 1);
   const InData<Matrix> row = phases_.watched(piece_);
   InData<Matrix> term = w;
@@ -108,20 +115,32 @@ const Watched::Stretch& Watched::stretch(std::size_t k) const {
     } else {
       w = InData<Matrix>(Matrix(product(watch_->flow, stretches_.back().w.all())));
     }
-    stretches_.push_back({start, watch_->length, w, {}, {}, {}, {}});
+    stretches_.push_back({start, watch_->length, w, {}, {}, {}, {}, {}});
   }
   Stretch& found = stretches_[k];
   if (found.guess.size() > 0) {
     return found;
   }
   found.terms = terms_at(found.w);
-  found.all = found.terms.all();
-  found.guess = zeros::in_double(found.terms.c[0]);
   const Ball of_w = watch_->size * largest(found.w.all(), watch_->balance);
   for (std::size_t i = 0; i < found.rest.size(); ++i) {
-    found.rest[i] = Ball(of_w * watch_->rest[i]).upper();
+    found.rest[i] = most(of_w * watch_->rest[i]);
   }
+  finish(found);
   return found;
+}
+
+void Watched::finish(Stretch& stretch) const {
+  const InData<Vector>& terms = stretch.terms;
+  if (terms.c.size() == 1 && is_none(terms.rest) && WorkingPrecision::bits() <= few_bits) {
+    stretch.quick = terms.c[0].unaryExpr([](const Ball& x) { return HardwareBall(x); });
+    stretch.guess = stretch.quick.unaryExpr([](const HardwareBall& x) { return x.approximate(); });
+    stretch.most =
+        stretch.guess.cwiseAbs() + stretch.quick.unaryExpr([](const HardwareBall& x) { return x.radius(); });
+  } else {
+    stretch.guess = zeros::in_double(terms.c[0]);
+    stretch.most = terms.all().unaryExpr([](const Ball& x) { return most(x); });
+  }
 }
 
 std::size_t Watched::stretch_of(double s) const {
@@ -150,15 +169,25 @@ std::array<S, N> horner(const model::VectorX<S>& terms, const S& r, std::size_t 
   return d;
 }
 
-// Adds those of a function of data, for all of them: of each monomial by itself, in which the terms go
-// together.
+// The first derivatives of the polynomial with these terms: in hardware, or of functions of data for all of
+// them, of each monomial by itself, in which the terms go together.
 template <std::size_t N>
-void add_for_all(std::array<Ball, N>& sum, const InData<Vector>& terms, const Ball& r, std::size_t count) {
+std::array<Ball, N> derivatives(const model::VectorX<HardwareBall>& terms, const Ball& r, std::size_t count) {
+  const auto d = horner<N>(terms, HardwareBall(r), count);
+  std::array<Ball, N> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    result[i] = (d[i] * HardwareBall(factorial[i])).ball();
+  }
+  return result;
+}
+template <std::size_t N>
+std::array<Ball, N> derivatives(const InData<Vector>& terms, const Ball& r, std::size_t count) {
+  std::array<Ball, N> sum;
   const auto add = [&](const Vector& of_one, const Ball& range) {
     if (of_one.size() > 0) {
       const auto d = horner<N>(of_one, r, count);
       for (std::size_t i = 0; i < count; ++i) {
-        add_product(sum[i], d[i], range);
+        add_product(sum[i], d[i], range * Ball(factorial[i]));
       }
     }
   };
@@ -166,6 +195,19 @@ void add_for_all(std::array<Ball, N>& sum, const InData<Vector>& terms, const Ba
     add(terms.c[i], monomial(i).range());
   }
   add(terms.rest, Ball(1));
+  return sum;
+}
+
+// All terms but the first, those of the derivative before, as often as these are derived.
+template <class S>
+model::VectorX<S> without_first(const model::VectorX<S>& terms, Eigen::Index first) {
+  model::VectorX<S> later = terms.tail(terms.size() - first);
+  for (Eigen::Index m = 0; m < later.size(); ++m) {
+    for (Eigen::Index i = 0; i + 1 < first; ++i) {
+      later(m) *= S(static_cast<int>(m + first - i));
+    }
+  }
+  return later;
 }
 
 }  // namespace
@@ -178,21 +220,21 @@ std::array<Ball, 4> Watched::at(const Ball& s, std::size_t derivative, const InD
     const Stretch& here = stretch(stretch_of(s.approximate()));
     const Ball r = s - Ball(here.start);
     is_inside = !r.lower().is_negative() && !(Ball(here.length) - r).lower().is_negative();
-    if (here.terms.c.size() == 1 && is_none(here.terms.rest) && offset.c.size() == 1) {
-      d = horner<4 + most_derivatives>(here.terms.c[0], r, count);
-      d[0] += offset.c[0];
+    if (here.quick.size() > 0) {
+      d = derivatives<4 + most_derivatives>(here.quick, r, count);
+      d[0] += offset.all();
     } else {
       InData<Vector> terms = here.terms;
-      terms += mapped(offset, [&](const Ball& x) { return placed(x, 0, here.all.size()); });
-      add_for_all(d, terms, r, count);
+      terms += mapped(offset, [&](const Ball& x) { return placed(x, 0, here.guess.size()); });
+      d = derivatives<4 + most_derivatives>(terms, r, count);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      d[i] = d[i] * Ball(factorial[i]) + Ball::hull(-here.rest[i], here.rest[i]);
+      d[i] += within(Ball(here.rest[i]));
     }
   }
   std::array<Ball, 4> result;
   for (std::size_t i = 0; i < 4; ++i) {
-    result[i] = is_inside ? d[i + derivative] : scalars::anything();
+    result[i] = is_inside ? d[i + derivative] : anything();
   }
   return result;
 }
@@ -217,26 +259,17 @@ std::optional<std::array<Ball, 3>> Watched::quotient_at(double s, std::size_t de
   }
   const Stretch& here = stretch(0);
   const auto first = static_cast<Eigen::Index>(derivative) + 1;
-  const InData<Vector> terms = mapped(here.terms, [&](const Vector& all) {
-    Vector later = all.tail(all.size() - first);
-    for (Eigen::Index m = 0; m < later.size(); ++m) {
-      for (Eigen::Index i = 0; i + 1 < first; ++i) {
-        later(m) *= Ball(static_cast<long>(m + first - i));
-      }
-    }
-    return later;
-  });
-  std::array<Ball, 3> d;
-  add_for_all(d, terms, Ball(s), d.size());
+  const auto later = [&](const auto& terms) { return without_first(terms, first); };
+  std::array<Ball, 3> d = here.quick.size() > 0 ? derivatives<3>(later(here.quick), Ball(s), 3)
+                                                : derivatives<3>(mapped(here.terms, later), Ball(s), 3);
   for (std::size_t i = 0; i < d.size(); ++i) {
-    const Ball most = here.rest[derivative + i + 1] / Ball(static_cast<long>(i + 1));
-    d[i] = d[i] * Ball(factorial[i]) + Ball::hull(-most, most);
+    d[i] += within(Ball(here.rest[derivative + i + 1]) / Ball(static_cast<long>(i + 1)));
   }
   return d;
 }
 
 motion::DerivativeBounds Watched::bounds(std::size_t derivative) const {
-  const motion::DerivativeBounds unknown{scalars::anything(), scalars::anything()};
+  const motion::DerivativeBounds unknown{anything(), anything()};
   if (!covers_) {
     return unknown;
   }
@@ -246,16 +279,16 @@ motion::DerivativeBounds Watched::bounds(std::size_t derivative) const {
   double third = 0, fourth = 0;
   for (std::size_t k = 0; k < count_; ++k) {
     const Stretch& here = stretch(k);
-    Ball power(1);  // length^(m - lowest)
-    double of_third = here.rest[lowest].approximate(), of_fourth = here.rest[lowest + 1].approximate();
-    for (std::size_t m = lowest; m < static_cast<std::size_t>(here.all.size()); ++m) {
-      double size = Ball(abs(here.all(static_cast<Eigen::Index>(m))).upper() * power).approximate();
+    double power = 1;  // length^(m - lowest)
+    double of_third = here.rest[lowest], of_fourth = here.rest[lowest + 1];
+    for (std::size_t m = lowest; m < static_cast<std::size_t>(here.most.size()); ++m) {
+      double size = here.most(static_cast<Eigen::Index>(m)) * power;
       for (std::size_t i = 0; i < lowest; ++i) {
         size *= static_cast<double>(m - i);
       }
       of_third += size;
       of_fourth += size * static_cast<double>(m - lowest) / here.length;
-      power *= Ball(here.length);
+      power *= here.length;
     }
     if (!std::isfinite(of_third) || !std::isfinite(of_fourth)) {
       return unknown;

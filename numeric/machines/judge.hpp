@@ -7,8 +7,12 @@
 #include "numeric/machines/linear_phases.hpp"
 #include "numeric/motion/conditions.hpp"
 #include "numeric/motion/infimum.hpp"
+#include "numeric/scalars/hardware_ball.hpp"
 
 namespace stickslip::numeric::machines {
+
+// With so many bits conditions are looked at first; there balls in hardware take the place of Arb's.
+inline constexpr long few_bits = 64;
 
 // What ends a phase of a machine, as a function of the time, for motion/infimum.hpp.
 
@@ -35,14 +39,17 @@ class Watched {
 
  private:
   struct Stretch {
-    double start, length;  // exact
-    InData<Matrix> w;      // at its beginning, where it is linear
-    InData<Vector> terms;  // the Taylor coefficients there
-    Vector all;            // of these
+    double start, length;                         // exact
+    InData<Matrix> w;                             // at its beginning, where it is linear
+    InData<Vector> terms;                         // the Taylor coefficients there
+    model::VectorX<scalars::HardwareBall> quick;  // of one motion, at few bits
+    Eigen::VectorXd most;                         // no less than the size of any of these
     Eigen::VectorXd guess;
-    LinearPhases::Rest rest;  // what they leave out of the function and its derivatives is not more
+    std::array<double, 6> rest;  // what they leave out of the function and its derivatives is not more
   };
+  // With its coefficients.
   [[nodiscard]] const Stretch& stretch(std::size_t k) const;
+  void finish(Stretch& stretch) const;
   [[nodiscard]] std::size_t stretch_of(double s) const;
 
   template <class S>

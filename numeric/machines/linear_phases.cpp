@@ -137,14 +137,15 @@ const InData<Matrix>& LinearPhases::drift_in_data(Piece piece) const {
 
 namespace {
 
-// f(A) by its values at the eigenvalues, of which there are one or two.
-Matrix function_of(const Matrix& A, const std::vector<Ball>& eigenvalues, const std::vector<Ball>& f) {
+// The projections on the eigenvectors of A, which has one or two.
+std::vector<Matrix> projections(const Matrix& A, const std::vector<Ball>& eigenvalues) {
   const Matrix one = Matrix::Identity(A.rows(), A.cols());
   if (eigenvalues.size() == 1) {
-    return one * f[0];
+    return {one};
   }
-  const Ball slope = (f[1] - f[0]) / (eigenvalues[1] - eigenvalues[0]);
-  return Matrix(one * f[0]) + Matrix(Matrix(A - one * eigenvalues[0]) * slope);
+  const Ball apart = eigenvalues[1] - eigenvalues[0];
+  const Matrix second = Matrix(A - one * eigenvalues[0]) / apart;
+  return {one - second, second};
 }
 
 std::vector<Ball> eigenvalues_of(const Matrix& A) {
@@ -164,94 +165,110 @@ Matrix part_of(const Matrix& B, const std::vector<Eigen::Index>& rows,
 
 }  // namespace
 
+// Of the masses that move, x'' = -A x + G u with u the rest of w, u' = Omega u, and u(t) = U u: with P such
+// that x = P u is a motion, x - P u moves freely, by c = cos(sqrt(A) t) and s = sin(sqrt(A) t)/sqrt(A).
 std::optional<LinearPhases::Modes> LinearPhases::make_modes(Piece piece) const {
   const Matrix& B = drift(piece);
   const bool sticks = piece.kind == PhaseKind::stick;
   if (machines_) {
     return std::nullopt;
   }
-  Modes modes;
-  std::vector<Eigen::Index> velocities;
+  std::vector<Eigen::Index> moving, velocities, rest;  // x of the masses that move, x', and u, in w
   for (Eigen::Index i = 0; i < size_; ++i) {
     const bool is_state = i < 2 * n_ && !(sticks && i % n_ == rubbing());
-    (!is_state ? modes.rest : i < n_ ? modes.moving : velocities).push_back(i);
+    (!is_state ? rest : i < n_ ? moving : velocities).push_back(i);
   }
   const bool is_damped =
       !part_of(B, velocities, velocities).unaryExpr([](const Ball& x) { return is_zero(x); }).all();
-  if (is_smooth(piece) || modes.moving.empty() || modes.moving.size() > 2 || is_damped) {
+  if (is_smooth(piece) || moving.empty() || moving.size() > 2 || is_damped) {
     return std::nullopt;
   }
-  modes.A = -part_of(B, velocities, modes.moving);
-  const std::vector<Ball> squares = eigenvalues_of(modes.A);
+  const Matrix A = -part_of(B, velocities, moving);
+  const std::vector<Ball> squares = eigenvalues_of(A);
   // Divided by their difference, numbers nearer than this lose too many of their digits.
   const auto are_apart = [](const Ball& a, const Ball& b) {
     return (abs(a - b) - abs(a) * Ball(0x1p-16)).is_positive();
   };
+  Modes modes;
   for (const Ball& square : squares) {
     if (!square.is_positive() || !(modes.frequencies.empty() || are_apart(square, squares[0]))) {
       return std::nullopt;
     }
     modes.frequencies.push_back(sqrt(square));
   }
+  const std::vector<Matrix> onto = projections(A, squares);
   // u is at rest but for what the belt takes along, or turns with a multiple of the load's frequency.
-  const Matrix Omega = part_of(B, modes.rest, modes.rest), G = part_of(B, velocities, modes.rest);
-  modes.P.resize(G.rows(), G.cols());
+  const Matrix Omega = part_of(B, rest, rest), G = part_of(B, velocities, rest);
+  Matrix P = Matrix::Constant(G.rows(), G.cols(), Ball(0));
   for (Eigen::Index k = 0; k < G.cols(); ++k) {
     Ball turn(0);  // (its frequency)²
     for (Eigen::Index i = 0; i < G.cols(); ++i) {
       turn -= Omega(i, k) * Omega(k, i);
     }
-    std::vector<Ball> response;
-    for (const Ball& square : squares) {
-      if (!are_apart(square, turn)) {
+    for (std::size_t m = 0; m < squares.size(); ++m) {
+      if (!are_apart(squares[m], turn)) {
         return std::nullopt;
       }
-      response.push_back(Ball(1) / (square - turn));
+      P.col(k) += zeros::product(onto[m], Vector(G.col(k))) / (squares[m] - turn);
     }
-    modes.P.col(k) = zeros::product(function_of(modes.A, squares, response), Matrix(G.col(k)));
   }
-  modes.P_rate = sparse_product(modes.P, Omega);
-  return modes;
-}
-
-// With c = cos(sqrt(A) t) and s = sin(sqrt(A) t)/sqrt(A) for x - P u, which moves freely.
-Matrix LinearPhases::in_closed_form(const Modes& modes, const Ball& t) const {
-  std::vector<Ball> squares, cosines, sines;
-  for (const Ball& frequency : modes.frequencies) {
-    const auto [sine, cosine] = sin_cos(Ball(frequency * t));
-    squares.push_back(frequency * frequency);
-    cosines.push_back(cosine);
-    sines.push_back(sine / frequency);
+  const Matrix P_rate = sparse_product(P, Omega), none = Matrix::Constant(A.rows(), A.cols(), Ball(0)),
+               still = Matrix::Constant(size_, size_, Ball(0));
+  std::vector<Matrix> factors;
+  const auto add_driven = [&](const Matrix& all) {
+    const Matrix U = part_of(all, rest, rest);
+    Matrix& flow = factors.emplace_back(still);
+    flow(rest, rest) = U;
+    flow(moving, rest) = zeros::product(P, U);
+    flow(velocities, rest) = zeros::product(P_rate, U);
+  };
+  const auto add_free = [&](const Matrix& c, const Matrix& s, const Matrix& s_rate) {
+    Matrix& flow = factors.emplace_back(still);
+    flow(moving, moving) = flow(velocities, velocities) = c;
+    flow(moving, velocities) = s;
+    flow(velocities, moving) = s_rate;
+    flow(moving, rest) = -zeros::product(c, P) - zeros::product(s, P_rate);
+    flow(velocities, rest) = -zeros::product(s_rate, P) - zeros::product(c, P_rate);
+  };
+  Matrix constant = Matrix::Identity(size_, size_), growing = still;
+  for (const int multiple : multiples_) {
+    const Eigen::Index k = row_of_cosine(multiple);
+    constant(k, k) = constant(k + 1, k + 1) = Ball(0);
   }
-  const Matrix c = function_of(modes.A, squares, cosines), s = function_of(modes.A, squares, sines);
-  const Matrix back = -zeros::product(modes.A, s);
-  Matrix U = Matrix::Identity(size_, size_);  // of u
-  for (Eigen::Index i = 0; i < n_; ++i) {
-    U(i, n_ + i) = t;
+  growing.block(0, n_, n_, n_) = Matrix::Identity(n_, n_);
+  add_driven(constant);
+  add_driven(growing);
+  for (std::size_t m = 0; m < squares.size(); ++m) {
+    const Ball& frequency = modes.frequencies[m];
+    add_free(onto[m], none, none);
+    add_free(none, onto[m] / frequency, onto[m] * Ball(-frequency));
   }
   for (const int multiple : multiples_) {
     const Eigen::Index k = row_of_cosine(multiple);
-    const auto [sine, cosine] = sin_cos(Ball(Ball(multiple) * oscillator_.omega * t));
-    U(k, k) = U(k + 1, k + 1) = cosine;
-    U(k, k + 1) = -sine;
-    U(k + 1, k) = sine;
+    modes.frequencies.emplace_back(Ball(multiple) * oscillator_.omega);
+    Matrix cosine = still, sine = still;
+    cosine(k, k) = cosine(k + 1, k + 1) = sine(k + 1, k) = Ball(1);
+    sine(k, k + 1) = Ball(-1);
+    add_driven(cosine);
+    add_driven(sine);
   }
-  const Matrix of_rest = part_of(U, modes.rest, modes.rest);
-  std::vector<Eigen::Index> velocities = modes.moving;
-  for (Eigen::Index& i : velocities) {
-    i += n_;
+  modes.factors.resize(static_cast<Eigen::Index>(factors.size()), size_ * size_);
+  for (Eigen::Index i = 0; i < modes.factors.rows(); ++i) {
+    modes.factors.row(i) = factors[static_cast<std::size_t>(i)].reshaped().transpose();
   }
-  Matrix flow = Matrix::Constant(size_, size_, Ball(0));
-  flow(modes.rest, modes.rest) = of_rest;
-  flow(modes.moving, modes.moving) = c;
-  flow(modes.moving, velocities) = s;
-  flow(velocities, modes.moving) = back;
-  flow(velocities, velocities) = c;
-  flow(modes.moving, modes.rest) =
-      sparse_product(modes.P, of_rest) - sparse_product(c, modes.P) - sparse_product(s, modes.P_rate);
-  flow(velocities, modes.rest) =
-      sparse_product(modes.P_rate, of_rest) - sparse_product(back, modes.P) - sparse_product(c, modes.P_rate);
-  return flow;
+  return modes;
+}
+
+Matrix LinearPhases::in_closed_form(const Modes& modes, const Ball& t) const {
+  Matrix functions(1, modes.factors.rows());
+  functions(0) = Ball(1);
+  functions(1) = t;
+  for (std::size_t m = 0; m < modes.frequencies.size(); ++m) {
+    const auto [sine, cosine] = sin_cos(Ball(modes.frequencies[m] * t));
+    functions(static_cast<Eigen::Index>(2 * m + 2)) = cosine;
+    functions(static_cast<Eigen::Index>(2 * m + 3)) = sine;
+  }
+  return zeros::product(functions, modes.factors).reshaped(size_, size_);
 }
 
 const std::optional<LinearPhases::Modes>& LinearPhases::modes(Piece piece) const {
@@ -384,9 +401,12 @@ M LinearPhases::moved(Piece piece, const Ball& h, M X) const {
   return zeros::product(known.of_middle, X);
 }
 
+// In closed form a wide ball would be one in each of its terms.
 Matrix LinearPhases::flow(Piece piece, const Ball& h) const {
-  return h.is_exact() && modes(piece) ? flow_at(piece, h)
-                                      : moved(piece, h, Matrix(Matrix::Identity(size_, size_)));
+  constexpr double narrow = 0x1p-50;
+  const bool is_narrow = h.is_exact() || (norm(piece) * h.radius()).approximate() < narrow;
+  return is_narrow && modes(piece) ? flow_at(piece, h)
+                                   : moved(piece, h, Matrix(Matrix::Identity(size_, size_)));
 }
 
 Vector LinearPhases::after(Piece piece, const Ball& h, const Vector& w) const {
@@ -397,8 +417,8 @@ LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
   const Matrix& B = drift(piece);
   if (reversed) {
     Watch watch = this->watch(piece, false);
-    for (std::size_t m = 1; m < watch.rows.size(); m += 2) {
-      watch.rows[m] = -watch.rows[m];
+    for (Eigen::Index m = 1; m < watch.rows.rows(); m += 2) {
+      watch.rows.row(m) *= Ball(-1);
     }
     watch.flow = flow_at(piece, Ball(-watch.length));
     return watch;
@@ -418,21 +438,26 @@ LinearPhases::Watch LinearPhases::make_watch(Piece piece, bool reversed) const {
   watch.flow = flow_at(piece, Ball(watch.length));
   const double below = std::exp2(-static_cast<double>(WorkingPrecision::bits()));
   double size = 1;
-  while (watch.rows.size() < fewest_terms || size > below) {
-    watch.rows.push_back(term);
-    const auto m = static_cast<int>(watch.rows.size());
+  std::vector<Vector> rows;
+  while (rows.size() < fewest_terms || size > below) {
+    rows.push_back(term);
+    const auto m = static_cast<int>(rows.size());
     term = sparse_product(transposed, term) * Ball(Ball(1) / Ball(m));
     size *= longest / m;
+  }
+  watch.rows.resize(static_cast<Eigen::Index>(rows.size()), size_);
+  for (std::size_t m = 0; m < rows.size(); ++m) {
+    watch.rows.row(static_cast<Eigen::Index>(m)) = rows[m].transpose();
   }
   // The sum over m >= M of nu^i (nu r)^(m - i)/(m - i)!, whose terms fall at least by half from one to the
   // next if 2 nu r is at most M - i + 1.
   const Ball reach = watch.nu * Ball(watch.length);
-  const auto fewest = static_cast<long>(watch.rows.size() - watch.rest.size()) + 2;
+  const auto fewest = static_cast<long>(rows.size() - watch.rest.size()) + 2;
   const bool is_short = !(Ball(fewest) - Ball(2) * reach).lower().is_negative();
   Ball factor(2);
   for (std::size_t i = 0; i < watch.rest.size(); ++i) {
     watch.rest[i] = factor;
-    for (std::size_t m = 1; m + i <= watch.rows.size(); ++m) {
+    for (std::size_t m = 1; m + i <= rows.size(); ++m) {
       watch.rest[i] = watch.rest[i] * reach / Ball(static_cast<long>(m));
     }
     watch.rest[i] = is_short ? watch.rest[i] : scalars::anything();

@@ -89,10 +89,10 @@ class LinearPhases {
   // the term of order m at r is at most |row S⁻¹| |S w| (nu r)^m/m!.
   using Rest = std::array<Ball, 6>;
   struct Watch {
-    std::vector<Vector> rows;  // row B^m/m!, as many as the working precision sees
-    Vector balance;            // S
-    Ball size, nu;             // |row S⁻¹|
-    double length;             // of a stretch, a power of two: nu length <= 2 or so
+    Matrix rows;     // row B^m/m!, as many as the working precision sees
+    Vector balance;  // S
+    Ball size, nu;   // |row S⁻¹|
+    double length;   // of a stretch, a power of two: nu length <= 2 or so
     // What the rows leave out of the derivative number i of f on a stretch is at most |S w| size times this;
     // not finite unless nu length is small beside the number of rows.
     Rest rest;
@@ -122,12 +122,11 @@ class LinearPhases {
     InData<Ball> h;
     InData<Matrix> flow;
   };
-  // Of the masses that move, x'' = -A x + G u with u the rest of w, u' = Omega u: its natural frequencies,
-  // and P such that x = P u is a motion.
+  // exp(B t), each entry a combination of 1, t, and the cosine and sine of t times each frequency: the
+  // natural ones of the masses that move, and those of the load.
   struct Modes {
-    std::vector<Eigen::Index> moving, rest;  // x of the masses that move, and u, in w
-    Matrix A, P, P_rate;                     // P Omega
-    std::vector<Ball> frequencies;           // rising
+    std::vector<Ball> frequencies;
+    Matrix factors;  // of these functions, in this order, for each entry of exp(B t) a column
   };
   [[nodiscard]] std::optional<Modes> make_modes(Piece piece) const;
   [[nodiscard]] const std::optional<Modes>& modes(Piece piece) const;

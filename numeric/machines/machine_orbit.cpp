@@ -16,8 +16,6 @@ using namespace motion;
 
 namespace {
 
-// Conditions are looked at with so many bits first.
-constexpr long few_bits = 64;
 // How often an undecided condition or stability is looked at with four times the bits.
 constexpr int more_attempts = 2;
 
@@ -33,9 +31,8 @@ std::optional<SquareMatrix> return_map(const Chain& chain, const ChainProof& pro
     const Eigen::Index n = links.back().M.c[0].rows() - 1;
     links.back().M.c[0] = Matrix(links.back().M.c[0].bottomRightCorner(n, n));
   }
-  const Eigen::Index n = links.front().M.c[0].rows();
-  const auto found = sweep(links, Nodes(links.size(), Node::Constant(n, Ball(0))));
-  return found ? std::optional<SquareMatrix>(found->return_map) : std::nullopt;
+  const auto found = LinearChain::of(links);
+  return found ? std::optional<SquareMatrix>(found->return_map()) : std::nullopt;
 }
 
 bool is_open(const MachineOrbit& orbit) {

@@ -16,9 +16,11 @@ Passage passage(const LinearPhases& phases, Piece piece, const Vector& w, const 
   const Eigen::Index states = 2 * phases.masses();
   if (phases.is_smooth(piece)) {
     const SmoothPhase phase(phases, piece.side(), w, h, false, with_derivative);
-    Passage result{phase.end(), smooth_rate(phases, piece.side(), w), {}, {}, {}, {}};
+    Passage result;
+    result.reached = phase.end();
     result.arrives = smooth_rate(phases, piece.side(), result.reached);
     if (with_derivative) {
+      result.leaves = smooth_rate(phases, piece.side(), w);
       // A shift in time of motion and load is none of the state after h.
       result.derivative = phase.derivative();
       result.by_time = result.arrives.head(states) - product(result.derivative, result.leaves.head(states));
@@ -26,8 +28,9 @@ Passage passage(const LinearPhases& phases, Piece piece, const Vector& w, const 
     return result;
   }
   const Matrix& B = phases.drift(piece);
-  Passage result{{}, sparse_product(B, w), {}, {}, {}, {}};
+  Passage result;
   if (with_derivative) {
+    result.leaves = sparse_product(B, w);
     const Matrix& flow = result.flow = phases.flow(piece, h);
     const Eigen::Index loads = flow.cols() - states;
     result.reached = sparse_product(flow, w);

@@ -10,13 +10,12 @@
 namespace stickslip::numeric::machines {
 
 struct Passage {
-  Vector reached;          // w after h
-  Vector leaves, arrives;  // w' when it begins, and after h
-  // Of (x, x') after h, by (x, x') where it begins, and by the time at which it does so; empty unless asked
-  // for.
+  Vector reached, arrives;  // w and w' after h
+  // Of (x, x') after h, by (x, x') where it begins, and by the time at which it does so; empty, as what
+  // follows, unless asked for.
   Matrix derivative;
-  Vector by_time;
-  Matrix flow;  // of w by w, likewise; none on a smooth law
+  Vector by_time, leaves;  // w' when it begins
+  Matrix flow;             // of w by w; none on a smooth law
 };
 // Not finite where the motion could not be enclosed.
 [[nodiscard]] Passage passage(const LinearPhases& phases, Piece piece, const Vector& w, const Ball& h,

@@ -98,12 +98,9 @@ std::pair<HardwareBall, HardwareBall> sinc_around(const std::pair<double, double
 
 }  // namespace
 
-HardwareBall::HardwareBall(const Ball& ball) : mid_(arf_get_d(arb_midref(ball.raw()), ARF_RND_NEAR)) {
-  arf_t rad;
-  arf_init(rad);
-  arf_set_mag(rad, arb_radref(ball.raw()));
-  rad_ = above(arf_get_d(rad, ARF_RND_CEIL) + rounding(mid_));
-  arf_clear(rad);
+HardwareBall::HardwareBall(const Ball& ball)
+    : mid_(arf_get_d(arb_midref(ball.raw()), ARF_RND_NEAR)),
+      rad_(above(mag_get_d(arb_radref(ball.raw())) + rounding(mid_))) {
   if (arf_cmp_d(arb_midref(ball.raw()), mid_) == 0 && mag_is_zero(arb_radref(ball.raw())) != 0) {
     rad_ = 0;
   }

@@ -1,5 +1,5 @@
 // Chains of events: their conditions against motions composed by the flows, their links against differences,
-// and the sweep against its own equations.
+// and the linear chain against its own equations.
 #include "numeric/machines/chain_proof.hpp"
 
 #include <doctest/doctest.h>
@@ -120,7 +120,7 @@ TEST_CASE("a link is the derivative of the next node by this one: against differ
   }
 }
 
-TEST_CASE("a sweep solves its equations, and its return map has the eigenvalues of the product") {
+TEST_CASE("a linear chain solves its equations, and its return map has the eigenvalues of the product") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(-1, 1);
   for (int round = 0; round < 20; ++round) {
@@ -139,32 +139,33 @@ TEST_CASE("a sweep solves its equations, and its return map has the eigenvalues 
           node(Ball(number(random)), Ball(number(random)), Ball(number(random)), Ball(number(random))));
       product = model::Matrix4<Ball>(M) * product;
     }
-    const auto found = sweep(links, g);
+    const auto found = LinearChain::of(links);
     REQUIRE(found);
+    const Nodes deviations = found->deviations(g);
     Ball trace(0);
     Ball trace_of_product(0);
     for (int i = 0; i < 4; ++i) {
-      trace += found->return_map(i, i);
+      trace += found->return_map()(i, i);
       trace_of_product += product(i, i);
     }
     CHECK(trace.overlaps(trace_of_product));
     CHECK((trace.radius() - Ball(1e-25)).is_negative());
     for (std::size_t i = 0; i < count; ++i) {
-      const Node next = zeros::product(links[i].M.c[0], found->deviations[i]) + g[i];
+      const Node next = zeros::product(links[i].M.c[0], deviations[i]) + g[i];
       for (int j = 0; j < 4; ++j) {
-        CHECK(next(j).overlaps(found->deviations[(i + 1) % count](j)));
+        CHECK(next(j).overlaps(deviations[(i + 1) % count](j)));
         CHECK((next(j).radius() - Ball(1e-20)).is_negative());
       }
     }
   }
 }
 
-TEST_CASE("a sweep round a chain with the multiplier 1 finds nothing") {
+TEST_CASE("a linear chain with the multiplier 1 is not solved") {
   std::vector<Link> links(3);
   for (Link& link : links) {
     link.M = InData<Matrix>(Matrix::Identity(4, 4));
   }
-  CHECK_FALSE(sweep(links, Nodes(3, Node::Constant(4, Ball(1)))));
+  CHECK_FALSE(LinearChain::of(links));
 }
 
 TEST_CASE("the enclosed inverse contains the inverse, and a singular matrix has none") {

@@ -193,6 +193,17 @@ TEST_CASE(
     check_contains(other, {PhaseKind::slip, 0}, Rational(1, 20));
     check_contains(other, {}, Rational(1, 20));
   }
+  // So narrow that it is in closed form.
+  const LinearPhases undamped(oscillator_as<Ball>(paper(O(), ur_of_O)));
+  const Rational later = Rational(3) + Rational(1, 1000000000) / 1000000000;
+  const Matrix narrow = undamped.flow({PhaseKind::slip, 0}, Ball::from_interval(Rational(3), later));
+  for (const Rational& h : {Rational(3), later}) {
+    const Matrix one = exponential(undamped.drift({PhaseKind::slip, 0}) * Ball(h));
+    for (Eigen::Index i = 0; i < one.size(); ++i) {
+      CHECK((narrow.data()[i] - one.data()[i]).contains_zero());
+      CHECK(is_narrow(narrow.data()[i], 1e-16));
+    }
+  }
   CHECK_FALSE(phases.flow(piece, Ball::from_interval(Rational(0), Rational(9)))(0, 0).is_finite());
   CHECK_THROWS_AS((void)phases.flow({PhaseKind::slip, 3}, Ball(1)), InternalError);
 }
@@ -253,6 +264,25 @@ TEST_CASE("a course has the values and derivatives of the flow, from both ends, 
         CHECK(is_narrow(k[2], 1e-24));
       }
     }
+  }
+  // At few bits, in hardware.
+  const WorkingPrecision scope(few_bits);
+  const Watched quick(phases, piece, InData<Matrix>(Matrix(w)), T, false);
+  for (const std::size_t derivative : {0U, 1U}) {
+    for (const double s : {0.0, 0.01, 0.5, 2.9}) {
+      const auto in_hardware = quick.at(Ball(s), derivative), known = g.at(Ball(s), derivative);
+      for (std::size_t i = 0; i < known.size(); ++i) {
+        CHECK(in_hardware[i].overlaps(known[i]));
+        CHECK(is_narrow(in_hardware[i], 1e-11));
+        CHECK_FALSE(is_narrow(in_hardware[i], 1e-30));
+      }
+      const auto quotient = quick.quotient_at(s, derivative), wanted = g.quotient_at(s, derivative);
+      for (std::size_t i = 0; quotient && i < quotient->size(); ++i) {
+        CHECK((*quotient)[i].overlaps((*wanted)[i]));
+      }
+    }
+    CHECK(quick.bounds(derivative).third.approximate() ==
+          doctest::Approx(g.bounds(derivative).third.approximate()).epsilon(1e-6));
   }
   const AffineCourse turned(g, -1, InData<Ball>(Ball(3)));
   CHECK(turned.at(0.5)[0].overlaps(Ball(3) - g.at(0.5)[0]));

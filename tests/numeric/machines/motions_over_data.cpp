@@ -1,5 +1,5 @@
 // Motions of all machines over a box of data: polynomials, flows, conditions and links against single
-// machines in it, the sweep against single ones, and families of motions.
+// machines in it, the linear chain against single ones, and families of motions.
 #include "numeric/machines/motions_over_data.hpp"
 
 #include <doctest/doctest.h>
@@ -308,7 +308,7 @@ TEST_CASE("what machines do over data contains what each of them does") {
   }
 }
 
-TEST_CASE("a sweep whose links change contains those of single links") {
+TEST_CASE("a linear chain whose links change contains those of single links") {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> number(-1, 1);
   for (int round = 0; round < 10; ++round) {
@@ -326,17 +326,19 @@ TEST_CASE("a sweep whose links change contains those of single links") {
       link.M.c[place_of(2)] = matrix(1e-3);
       g.push_back(Node(matrix(1).col(0)));
     }
-    const auto found = sweep(links, g);
+    const auto found = LinearChain::of(links);
     REQUIRE(found);
+    const Nodes deviations = found->deviations(g);
     for (const auto& [a, b] : {std::pair{-1.0, 1.0}, {-0.4, -1.0}, {0.2, 0.0}, {1.0, 1.0}}) {
       std::vector<Link> one = links;
       for (Link& link : one) {
         link.M = InData<Matrix>(link.M.at({Ball(a), Ball(b)}));
       }
-      const auto single = sweep(one, g);
+      const auto single = LinearChain::of(one);
       REQUIRE(single);
+      const Nodes of_one = single->deviations(g);
       for (std::size_t i = 0; i < links.size(); ++i) {
-        check_contains(found->deviations[i], single->deviations[i]);
+        check_contains(deviations[i], of_one[i]);
       }
     }
   }
@@ -345,11 +347,11 @@ TEST_CASE("a sweep whose links change contains those of single links") {
 TEST_CASE("powers of s in a product of links are in its return map") {
   Link link;
   link.M.c = {Matrix::Constant(1, 1, Ball(2)), Matrix::Constant(1, 1, Ball(0.25)), {}, {}};
-  const auto found = sweep(std::vector<Link>(4, link), Nodes(4, Node::Constant(1, Ball(1))));
+  const auto found = LinearChain::of(std::vector<Link>(4, link));
   REQUIRE(found);
-  CHECK(found->return_map(0, 0).overlaps(Ball(2.25 * 2.25 * 2.25 * 2.25)));
-  CHECK(found->return_map(0, 0).overlaps(Ball(1.75 * 1.75 * 1.75 * 1.75)));
-  CHECK_FALSE(found->return_map(0, 0).overlaps(Ball(28)));
+  CHECK(found->return_map()(0, 0).overlaps(Ball(2.25 * 2.25 * 2.25 * 2.25)));
+  CHECK(found->return_map()(0, 0).overlaps(Ball(1.75 * 1.75 * 1.75 * 1.75)));
+  CHECK_FALSE(found->return_map()(0, 0).overlaps(Ball(28)));
 }
 
 TEST_CASE("motions of machines over data lie among those that are proved") {
