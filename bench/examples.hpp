@@ -84,5 +84,14 @@ struct Problem {
   require_proved(closed.existence);
   return closed;
 }
+// Those over a whole box of parameters.
+[[nodiscard]] inline numeric::motion::ClosedMotion proved_over(const Problem& s,
+                                                               const numeric::motion::Given<Ball>& box) {
+  const numeric::motion::Closing& f = s.equations;
+  const auto proof = numeric::zeros::prove_over_parameters(f, f.parameters(box), f.unknowns(s.guess));
+  require_proved(proof.verdict);
+  return numeric::motion::closed_over(proof, f.motion<numeric::zeros::ParameterJet>(proof.x, proof.p),
+                                      f.motion<Ball>(proof.at_middle, proof.p0));
+}
 
 }  // namespace stickslip::bench

@@ -23,8 +23,7 @@ namespace {
 constexpr double half_width = 1e-5;
 
 void prove_admissible(benchmark::State& state, const Problem& s, const model::Parameters<Ball>& a) {
-  const ClosedMotion closed = prove_closed_over(s.equations, {a}, s.guess);
-  require_proved(state, closed.existence);
+  const ClosedMotion closed = proved_over(s, {a});
   require_proved(state, admissible(conditions(s.family, closed, friction_of(s.family, closed))));
 }
 

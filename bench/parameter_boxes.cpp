@@ -30,8 +30,7 @@ model::Parameters<Ball> box(const char * example, double r) {
 
 void prove_boxes(benchmark::State& state, const Problem& s, const Given<Ball>& given) {
   for (auto _ : state) {
-    const ClosedMotion closed = prove_closed_over(s.equations, given, s.guess);
-    require_proved(state, closed.existence);
+    const ClosedMotion closed = proved_over(s, given);
     const Ball ur = given.ur.value_or(friction_of(s.family, closed));
     require_proved(state, admissible(conditions(s.family, closed, ur)));
   }

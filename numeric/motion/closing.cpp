@@ -46,7 +46,7 @@ std::vector<std::string> Closing::parameter_names() const {
 }
 
 ClosedMotion taken_as_closed(const Motion& motion) {
-  ClosedMotion closed{Verdict::proved(), {}, motion, all_waves(motion), {}};
+  ClosedMotion closed{Verdict::proved(), motion, all_waves(motion), {}};
   for (std::size_t k = 0; k < motion.phases.size(); ++k) {
     closed.friction.push_back(friction_of<Ball>(motion, k));
   }
@@ -61,7 +61,7 @@ ClosedMotion prove_closed(const Closing& f, const Given<Rational>& given, const 
     zero = prove_zero_at(f, parameters(), f.unknowns(guess));
   }
   if (zero.verdict.truth != Truth::proved) {
-    return {zero.verdict, {}, {}, {}, {}};
+    return {zero.verdict, {}, {}, {}};
   }
   const long bits = scalars::bits_for(digits);
   const auto recipe = [&] { return AtParameters<Closing>{f, parameters()}; };
@@ -76,23 +76,11 @@ ClosedMotion closed_over(const ParametricProof& proof, const MotionOf<ParameterJ
     return proof.over_box(g, at_middle);
   };
   const Zip<decltype(over)> zip{over};
-  ClosedMotion closed{proof.verdict, {}, zip(jets, middle), {}, {}};
+  ClosedMotion closed{proof.verdict, zip(jets, middle), {}, {}};
   for (std::size_t k = 0; k < middle.phases.size(); ++k) {
     closed.waves.push_back(zip(waves_of<ParameterJet>(jets.oscillator, jets.phases[k]), waves(middle, k)));
     closed.friction.push_back(over(friction_of<ParameterJet>(jets, k), friction_of<Ball>(middle, k)));
   }
-  return closed;
-}
-
-ClosedMotion prove_closed_over(const Closing& f, const Given<Ball>& given, const Motion& guess) {
-  const ParametricProof proof = prove_over_parameters(f, f.parameters(given), f.unknowns(guess));
-  const std::string split = f.parameter_names()[static_cast<std::size_t>(proof.widest)];
-  if (proof.verdict.truth != Truth::proved) {
-    return {proof.verdict, split, {}, {}, {}};
-  }
-  ClosedMotion closed =
-      closed_over(proof, f.motion<ParameterJet>(proof.x, proof.p), f.motion<Ball>(proof.at_middle, proof.p0));
-  closed.split = split;
   return closed;
 }
 

@@ -100,7 +100,6 @@ class Closing {
 // Whether a motion closes near a guess, and that motion.
 struct ClosedMotion {
   Verdict existence;  // "exactly one near the guess", for each member of the parameters
-  std::string split;  // the parameter to split first, of a box: "chi", …, "phi", "ur"
   // Contain the values for all members; meaningless unless proved.
   Motion motion;
   std::vector<model::PhaseWaves<Ball>> waves;  // of each phase
@@ -119,9 +118,5 @@ struct ClosedMotion {
 // box that Newton's method reaches from the guess passes Krawczyk's test.
 [[nodiscard]] ClosedMotion prove_closed(const Closing& f, const Given<Rational>& given, const Motion& guess,
                                         int digits);
-
-// For all members of a box of parameters at once, at the working precision of the moment. Undecided for boxes
-// that are too wide, and where the data reach beyond the domain or hold a natural frequency.
-[[nodiscard]] ClosedMotion prove_closed_over(const Closing& f, const Given<Ball>& given, const Motion& guess);
 
 }  // namespace stickslip::numeric::motion

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/error.hpp"
+#include "numeric/orbit_over_box.hpp"
 #include "tests/numeric/families/composed.hpp"
 
 using namespace stickslip;
@@ -32,17 +33,11 @@ const Closing system_P = NonstickingClosing{};
 
 using Data = model::Parameters<Ball>;
 
-// An orbit over a box, with everything decided.
-struct BoxOrbit {
-  Verdict existence;
-  std::string split;
-  Orbit orbit;
-};
+using BoxOrbit = OrbitOverBox;
 
+// The whole box at once.
 BoxOrbit prove_over(const Family& family, const Closing& f, const Given<Ball>& given, const Motion& guess) {
-  const ClosedMotion closed = prove_closed_over(f, given, guess);
-  return {closed.existence, closed.split,
-          closed.existence.truth == Truth::proved ? decided_orbit(family, closed, given.ur) : Orbit{}};
+  return prove_over_box(family, {{guess, {}, {}}, f}, given, 1);
 }
 BoxOrbit prove_symmetric_over(const Data& a, const Motion& guess) {
   return prove_over(symmetric(), system_S, {a}, guess);
@@ -317,5 +312,6 @@ TEST_CASE("parameters widened over a resonance or beyond the domain: nothing is 
 
 TEST_CASE("a guess with other phases and a datum that is not given are the caller's errors") {
   CHECK_THROWS_AS((void)prove_symmetric_over(parameters_as<Ball>(S()), guess_O()), InternalError);
-  CHECK_THROWS_AS((void)prove_closed_over(system_O, {parameters_as<Ball>(O())}, guess_O()), InternalError);
+  CHECK_THROWS_AS((void)prove_over(overshooting(), system_O, {parameters_as<Ball>(O())}, guess_O()),
+                  InternalError);
 }
