@@ -1,9 +1,8 @@
 #include "numeric/orbit_over_box.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/interruption.hpp"
@@ -41,22 +40,17 @@ bool contains(const Vector& outer, const Vector& inner) {
                     [](const Ball& a, const Ball& b) { return a.contains(b); });
 }
 
-// What is known of an orbit: of each condition, and of the stability, which is not asked for unless all hold.
-enum class Fact { open, not_asked, proved, refuted, stable, unstable, marginal };
-
-std::vector<Fact> facts(const Orbit& orbit) {
-  std::vector<Fact> all;
+// What is known of an orbit, nothing where it is open: the truth of each condition, and the kind of the
+// stability, which is not asked for unless all hold.
+std::vector<std::optional<int>> facts(const Orbit& orbit) {
+  std::vector<std::optional<int>> all;
   for (const Condition& c : orbit.conditions) {
-    all.push_back(c.verdict.truth == Truth::proved    ? Fact::proved
-                  : c.verdict.truth == Truth::refuted ? Fact::refuted
-                                                      : Fact::open);
+    all.push_back(c.verdict.is_decided() ? std::optional(static_cast<int>(c.verdict.truth)) : std::nullopt);
   }
-  const StabilityKind kind = orbit.stability ? orbit.stability->kind : StabilityKind::undecided;
-  all.push_back(!orbit.stability                  ? Fact::not_asked
-                : kind == StabilityKind::stable   ? Fact::stable
-                : kind == StabilityKind::unstable ? Fact::unstable
-                : kind == StabilityKind::marginal ? Fact::marginal
-                                                  : Fact::open);
+  if (orbit.stability) {
+    const StabilityKind kind = orbit.stability->kind;
+    all.push_back(kind == StabilityKind::undecided ? std::nullopt : std::optional(static_cast<int>(kind)));
+  }
   return all;
 }
 
@@ -64,30 +58,29 @@ std::vector<Fact> facts(const Orbit& orbit) {
 class Common {
  public:
   void add(const Orbit& orbit) {
-    const std::vector<Fact> more = facts(orbit);
-    known_.resize(more.size(), Fact::open);
-    given_up_.resize(more.size(), false);
+    const auto more = facts(orbit);
+    known_.resize(orbit.conditions.size() + 1);
+    given_up_.resize(orbit.conditions.size() + 1);
     for (std::size_t k = 0; k < more.size(); ++k) {
-      if (more[k] == Fact::open || more[k] == Fact::not_asked) {
-        continue;
+      if (more[k]) {
+        given_up_[k] = given_up_[k] || (known_[k] && known_[k] != more[k]);
+        known_[k] = more[k];
       }
-      given_up_[k] = given_up_[k] || (known_[k] != Fact::open && known_[k] != more[k]);
-      known_[k] = more[k];
     }
   }
   // What is open of that orbit will stay so.
   void give_up(const Orbit& orbit) {
-    const std::vector<Fact> all = facts(orbit);
-    given_up_.resize(all.size(), false);
+    const auto all = facts(orbit);
+    given_up_.resize(orbit.conditions.size() + 1);
     for (std::size_t k = 0; k < all.size(); ++k) {
-      given_up_[k] = given_up_[k] || all[k] == Fact::open;
+      given_up_[k] = given_up_[k] || !all[k];
     }
   }
   // Whether something is open that may be the same for all: a condition, or, later, the stability.
   [[nodiscard]] bool is_open(const Orbit& orbit, bool with_stability) const {
-    const std::vector<Fact> all = facts(orbit);
-    for (std::size_t k = 0; k < all.size() - (with_stability ? 0 : 1); ++k) {
-      if (all[k] == Fact::open && !(k < given_up_.size() && given_up_[k])) {
+    const auto all = facts(orbit);
+    for (std::size_t k = 0; k < (with_stability ? all.size() : orbit.conditions.size()); ++k) {
+      if (!all[k] && !(k < given_up_.size() && given_up_[k])) {
         return true;
       }
     }
@@ -95,7 +88,7 @@ class Common {
   }
 
  private:
-  std::vector<Fact> known_;
+  std::vector<std::optional<int>> known_;
   std::vector<bool> given_up_;  // for they differ, or will stay open
 };
 

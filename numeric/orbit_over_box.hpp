@@ -1,7 +1,6 @@
 // One orbit over a whole box of parameters, in as many parts of the box as that takes.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "numeric/families/family.hpp"
