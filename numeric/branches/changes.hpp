@@ -64,7 +64,7 @@ template <class S>
     M = motion::saltation_between<S>(motion.oscillator, motion.phases[k - 1].kind, motion.phases[k]) * M;
     M = motion::tangent_flow<S>(motion.oscillator, motion.phases[k]) * M;
   }
-  return motion::determinant3<S>(model::Matrix4<S>::Identity() - M);
+  return (model::Matrix4<S>::Identity() - M).template topLeftCorner<3, 3>().determinant();
 }
 
 }  // namespace stickslip::numeric::branches

@@ -2,6 +2,7 @@
 // what they say of the stability of many motions at once.
 #pragma once
 
+#include <Eigen/LU>
 #include <array>
 #include <optional>
 #include <string>
@@ -64,13 +65,6 @@ struct ExitFactors {
   }
 };
 
-// Of the first three rows and columns.
-template <class S>
-[[nodiscard]] S determinant3(const model::Matrix4<S>& M) {
-  const auto minor = [&](int j, int k) { return S(M(1, j) * M(2, k) - M(1, k) * M(2, j)); };
-  return M(0, 0) * minor(1, 2) - M(0, 1) * minor(0, 2) + M(0, 2) * minor(0, 1);
-}
-
 // The coefficients of a polynomial whose zeros are the multipliers, except for zeros: that of the return map
 // seen where a stick begins, with more than one. Then not finite where one of them may end at rest.
 template <class S>
@@ -79,9 +73,9 @@ template <class S>
   if (sticks.size() < 2) {
     return multiplier_polynomial(motion);
   }
-  const model::Matrix4<S> M = monodromy<S>(motion, sticks.back());
+  const Eigen::Matrix<S, 3, 3> M = monodromy<S>(motion, sticks.back()).template topLeftCorner<3, 3>();
   const auto minor = [&](int i, int j) { return S(M(i, i) * M(j, j) - M(i, j) * M(j, i)); };
-  return {S(-determinant3<S>(M)), S(minor(0, 1) + minor(0, 2) + minor(1, 2)), S(-M(0, 0) - M(1, 1) - M(2, 2)),
+  return {S(-M.determinant()), S(minor(0, 1) + minor(0, 2) + minor(1, 2)), S(-M(0, 0) - M(1, 1) - M(2, 2)),
           S(1)};
 }
 
@@ -90,13 +84,8 @@ template <class S>
   const Ball m = x.midpoint();
   return sin(m) - m * cos(m) + x * sin(x) * (x - m);
 }
-[[nodiscard]] inline zeros::ParameterJet cubic(zeros::ParameterJet x) {
-  const Ball slope = x.value * sin(x.value);
-  x.value = cubic(x.value);
-  for (Ball& partial : x.partials) {
-    partial *= slope;
-  }
-  return x;
+[[nodiscard]] inline zeros::ParameterJet cubic(const zeros::ParameterJet& x) {
+  return x.chain(cubic(x.value), x.value * sin(x.value));
 }
 
 // A symmetric orbit, with the symbols of model/symmetric.hpp; x = T/2 and rho(x) = r - us at the
