@@ -117,16 +117,10 @@ SteadySliding steady_sliding(const Machine& machine, int digits) {
                                to_string(velocity));
     return state;
   }
-  Matrix A = Matrix::Constant(2 * n, 2 * n, Ball(0));
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Ball& m = o.masses[static_cast<std::size_t>(i)];
-    A(i, n + i) = Ball(1);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      A(n + i, k) = -o.stiffness(i, k) / m;
-      A(n + i, n + k) = -o.damping(i, k) / m;
-    }
+  Matrix A = LinearPhases(o).drift(state.piece).topLeftCorner(2 * n, 2 * n);
+  if (o.law(side).smooth) {
+    A(n + j, n + j) -= *friction.slope / o.masses[o.rubbing];
   }
-  A(n + j, n + j) -= *friction.slope / o.masses[o.rubbing];
   decide(state, A);
   return state;
 }
