@@ -95,24 +95,15 @@ struct Whole {
 };
 
 // A part of the box.
-struct Part {
-  Values middle, half;
+struct Part : ValuesInBox {
   std::vector<int> halvings;
   std::vector<std::size_t> known = {};  // places of the closed chains that are known in it
   std::size_t near = 0;                 // and of one that may lie beside it
   std::size_t whole = none;             // the place of that of which it is a part
   double away = 0;                      // from a given motion
 
-  // s in it.
-  [[nodiscard]] Values inside(const Values& values) const {
-    Values s = values;
-    for (std::size_t k = 0; k < s.size(); ++k) {
-      s[k] = (values[k] - middle[k]) / half[k];
-    }
-    return s;
-  }
   [[nodiscard]] bool contains(const Values& values) const {
-    return std::ranges::all_of(inside(values), [](const Rational& s) { return abs(s) <= 1; });
+    return std::ranges::all_of(s_of(values), [](const Rational& s) { return abs(s) <= 1; });
   }
   [[nodiscard]] std::pair<Part, Part> halved(std::size_t k) const {
     Part low = *this;
@@ -134,7 +125,7 @@ class Search {
         periods_(motions.front().guess.periods),
         pieces_(motions.front().guess.pieces()),
         why_(numbers_.why_not()),
-        whole_(between(box.low, box.high)) {
+        whole_{ValuesInBox::between(box.low, box.high), std::vector<int>(box.low.size(), 0)} {
     if (!why_.empty()) {
       return;
     }
@@ -198,15 +189,6 @@ class Search {
     Part part;
     Found found;
   };
-
-  [[nodiscard]] Part between(const Values& low, const Values& high) const {
-    Part part{low, low, std::vector<int>(low.size(), 0)};
-    for (std::size_t k = 0; k < low.size(); ++k) {
-      part.middle[k] = (low[k] + high[k]) / 2;
-      part.half[k] = (high[k] - low[k]) / 2;
-    }
-    return part;
-  }
 
   // At so many of the parts; those that are not done are halved.
   void look_at(std::span<const Part> parts, long most, std::vector<Part>& halves) {
@@ -283,10 +265,7 @@ class Search {
     if (const auto found = approximate_chain(question_at(to), nodes); found || halvings == 0) {
       return found;
     }
-    Values half = from;
-    for (std::size_t k = 0; k < half.size(); ++k) {
-      half[k] = (from[k] + to[k]) / 2;
-    }
+    const Values half = ValuesInBox::between(from, to).middle;
     const auto between = reach(from, nodes, half, halvings - 1);
     return between ? reach(half, *between, to, halvings - 1) : std::nullopt;
   }
@@ -352,7 +331,7 @@ class Search {
       return found;
     }
     MachineQuestion question = question_at(part.middle);
-    question.machines = numbers_.over(part.middle, part.half);
+    question.machines = numbers_.over(part);
     const Chain chain(question);
     const auto nodes = approximate_chains(chain, Chain(question_at(part.middle)), found.middle->nodes);
     if (!nodes) {
@@ -360,7 +339,7 @@ class Search {
     }
     std::vector<Known> known;
     for (const std::size_t i : part.known) {
-      known.push_back({part.inside(known_[i].s), known_[i].proof});
+      known.push_back({part.s_of(known_[i].s), known_[i].proof});
     }
     known.push_back({Values(part.middle.size()), *found.middle});
     const ChainProof proof = prove_chains(chain, *nodes, known);
@@ -422,52 +401,44 @@ class Search {
   // Parts of one family have a way from one to the other through closed chains that are known in both of two
   // on it. Those that have none to a given motion are what a whole is that has one; without, undecided.
   [[nodiscard]] std::vector<PartOfBox> joined() const {
-    std::vector<std::size_t> of_known(known_.size(), none), of_part(done_.size(), none),
-        of_whole(wholes_.size(), none);
-    for (std::size_t family = 0; family < given_; ++family) {
-      if (of_known[family] != none) {
-        continue;
+    std::vector<std::size_t> family(known_.size());  // of each known one: the first one that it is joined to
+    std::iota(family.begin(), family.end(), 0);
+    const auto join = [&](const std::vector<std::size_t>& known) {
+      std::vector<std::size_t> these;
+      std::ranges::transform(known, std::back_inserter(these), [&](std::size_t k) { return family[k]; });
+      for (std::size_t& one : family) {
+        one = std::ranges::find(these, one) != these.end() ? std::ranges::min(these) : one;
       }
-      of_known[family] = family;
-      bool more = true;
-      const auto join = [&](const std::vector<std::size_t>& known, std::size_t& of) {
-        if (of == none && std::ranges::any_of(known, [&](std::size_t k) { return of_known[k] == family; })) {
-          more = true;
-          of = family;
-          std::ranges::for_each(known, [&](std::size_t k) { of_known[k] = family; });
-        }
-      };
-      while (more) {
-        more = false;
-        for (std::size_t i = 0; i < wholes_.size(); ++i) {
-          join(wholes_[i].known, of_whole[i]);
-        }
-        for (std::size_t i = 0; i < done_.size(); ++i) {
-          const auto& [part, found] = done_[i];
-          if (found.existence.truth == Truth::proved && !found.is_of_whole) {
-            join(part.known, of_part[i]);
-          }
-        }
+    };
+    const auto is_itself_proved = [](const Found& found) {
+      return found.existence.truth == Truth::proved && !found.is_of_whole;
+    };
+    for (const Whole& whole : wholes_) {
+      join(whole.known);
+    }
+    for (const auto& [part, found] : done_) {
+      if (is_itself_proved(found)) {
+        join(part.known);
       }
     }
+    const auto family_of = [&](const std::vector<std::size_t>& known) {
+      return known.empty() || family[known.front()] >= given_ ? none : family[known.front()];
+    };
     std::vector<PartOfBox> parts;
-    for (std::size_t i = 0; i < done_.size(); ++i) {
-      const auto& [part, found] = done_[i];
-      std::size_t whole = of_part[i] == none ? part.whole : none;
-      while (whole != none && of_whole[whole] == none) {
+    for (const auto& [part, found] : done_) {
+      const std::size_t own = is_itself_proved(found) ? family_of(part.known) : none;
+      std::size_t whole = own == none ? part.whole : none;
+      while (whole != none && family_of(wholes_[whole].known) == none) {
         whole = wholes_[whole].of;
       }
-      Values low = part.middle, high = part.middle;
-      for (std::size_t k = 0; k < low.size(); ++k) {
-        low[k] -= part.half[k];
-        high[k] += part.half[k];
-      }
-      PartOfBox& one = parts.emplace_back(PartOfBox{low, high, found.existence, found.motions, of_part[i]});
+      const std::size_t data = part.middle.size();
+      PartOfBox& one = parts.emplace_back(PartOfBox{part.at(Values(data, -1)), part.at(Values(data, 1)),
+                                                    found.existence, found.motions, own});
       if (whole != none) {
         one.existence = Verdict::proved();
         one.motions = wholes_[whole].motions;
-        one.family = of_whole[whole];
-      } else if (found.existence.truth == Truth::proved && of_part[i] == none) {
+        one.family = family_of(wholes_[whole].known);
+      } else if (found.existence.truth == Truth::proved && own == none) {
         one.existence =
             Verdict::undecided("no way through parts that are proved leads there from the motion");
         one.motions = {};

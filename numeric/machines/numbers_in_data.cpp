@@ -47,7 +47,26 @@ bool have_same_shape(const model::FrictionOscillator<Rational>& a,
          are_alike(a.forward, b.forward) && are_alike(a.backward, b.backward);
 }
 
+// f of each two.
+template <class F>
+Values each(const Values& a, const Values& b, const F& f) {
+  Values result;
+  std::ranges::transform(a, b, std::back_inserter(result), f);
+  return result;
+}
+
 }  // namespace
+
+ValuesInBox ValuesInBox::between(const Values& low, const Values& high) {
+  return {each(low, high, [](const Rational& a, const Rational& b) { return Rational((a + b) / 2); }),
+          each(low, high, [](const Rational& a, const Rational& b) { return Rational((b - a) / 2); })};
+}
+Values ValuesInBox::at(const Values& s) const {
+  return each(middle, each(s, half, std::multiplies<Rational>()), std::plus<Rational>());
+}
+Values ValuesInBox::s_of(const Values& values) const {
+  return each(each(values, middle, std::minus<Rational>()), half, std::divides<Rational>());
+}
 
 // Coordinates 0, 1, -1, 1/2, in this order, of the points (s_1, s_2, …): the places of all are together at
 // most three. A polynomial of the third degree that is 0 at all of them is 0.
@@ -173,7 +192,8 @@ bool NumbersInData::has_poles(const Quotient& q) {
   return least <= 0;
 }
 
-InData<Ball> NumbersInData::Quotient::over(const Values& middle, const Values& half) const {
+InData<Ball> NumbersInData::Quotient::over(const ValuesInBox& part) const {
+  const auto& [middle, half] = part;
   const std::size_t data = middle.size();
   InData<Ball> f(Ball(top(middle)));
   if (!linear.empty()) {
@@ -208,16 +228,9 @@ NumbersInData::NumbersInData(const std::function<Machine(const Values&)>& at, co
   const std::size_t data = low.size();
   require(data > 0 && data <= most_data, "the data of a box", fmt::format("{} of them", data),
           fmt::format("1 to {}", most_data));
-  for (std::size_t k = 0; k < data; ++k) {
-    middle_.emplace_back((low[k] + high[k]) / 2);
-    half_.emplace_back((high[k] - low[k]) / 2);
-  }
+  box_ = ValuesInBox::between(low, high);
   const auto machine_at = [&](const Values& s) {
-    Values values = middle_;
-    for (std::size_t k = 0; k < data; ++k) {
-      values[k] += s[k] * half_[k];
-    }
-    Machine machine = at(values);
+    Machine machine = at(box_.at(s));
     require_machine(machine);
     return machine;
   };
@@ -279,17 +292,13 @@ void NumbersInData::find(const std::vector<Machine>& machines, const Points& poi
   }
 }
 
-OscillatorInData NumbersInData::over(const Values& middle, const Values& half) const {
-  Values s = middle, part = half;
-  for (std::size_t k = 0; k < s.size(); ++k) {
-    s[k] = (middle[k] - middle_[k]) / half_[k];
-    part[k] /= half_[k];
-  }
-  auto numbers = model::mapped<InData<Ball>>(oscillator_, [&](const Quotient& q) { return q.over(s, part); });
+OscillatorInData NumbersInData::over(const ValuesInBox& part) const {
+  const ValuesInBox of_s{box_.s_of(part.middle), each(part.half, box_.half, std::divides<Rational>())};
+  auto numbers = model::mapped<InData<Ball>>(oscillator_, [&](const Quotient& q) { return q.over(of_s); });
   if (in_turns_) {
     numbers.omega = numbers.omega * (Ball(2) * Ball::pi());
   }
-  return {s.size(), numbers};
+  return {part.half.size(), numbers};
 }
 
 }  // namespace stickslip::numeric::machines

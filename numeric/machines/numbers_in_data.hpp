@@ -13,6 +13,15 @@ namespace stickslip::numeric::machines {
 
 using Values = std::vector<Rational>;  // of the data
 
+// All values middle + s half, each s between -1 and 1.
+struct ValuesInBox {
+  Values middle, half;
+
+  [[nodiscard]] static ValuesInBox between(const Values& low, const Values& high);
+  [[nodiscard]] Values at(const Values& s) const;
+  [[nodiscard]] Values s_of(const Values& values) const;
+};
+
 struct OscillatorInData {
   std::size_t data;
   model::FrictionOscillator<InData<Ball>> numbers;
@@ -29,9 +38,9 @@ class NumbersInData {
   // Why nothing is known of the numbers, else empty; what follows needs that.
   [[nodiscard]] const std::string& why_not() const { return why_not_; }
 
-  // For the values middle + s half, s between -1 and 1; a smooth law has one piece, from 0, in place of those
-  // near it. Not finite where a quotient may have a pole.
-  [[nodiscard]] OscillatorInData over(const Values& middle, const Values& half) const;
+  // For these values, as functions of s; a smooth law has one piece, from 0, in place of those near it. Not
+  // finite where a quotient may have a pole.
+  [[nodiscard]] OscillatorInData over(const ValuesInBox& part) const;
 
  private:
   // (constant + sum of linear_k s_k + sum of products_jk s_j s_k)/(1 + sum of below_k s_k), s between -1 and
@@ -42,7 +51,7 @@ class NumbersInData {
 
     [[nodiscard]] Rational top(const Values& s) const;
     [[nodiscard]] Rational bottom(const Values& s) const;
-    [[nodiscard]] InData<Ball> over(const Values& middle, const Values& half) const;
+    [[nodiscard]] InData<Ball> over(const ValuesInBox& part) const;
   };
   // A point for each monomial of the third degree, and less, that tell such a polynomial, and what a number
   // is there.
@@ -50,7 +59,7 @@ class NumbersInData {
   [[nodiscard]] static bool has_poles(const Quotient& q);
   void find(const std::vector<Machine>& machines, const Points& points);
 
-  Values middle_, half_;  // of the box
+  ValuesInBox box_;
   model::FrictionOscillator<Quotient> oscillator_;
   bool in_turns_ = false;
   std::string why_not_;

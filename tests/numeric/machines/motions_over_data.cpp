@@ -106,7 +106,7 @@ struct Box {
     const Values middle(of.size(), Rational(0)), half(of.size(), Rational(1)), low(of.size(), Rational(-1));
     const NumbersInData numbers([&](const Values& s) { return at(s); }, low, half);
     REQUIRE(numbers.why_not().empty());
-    return {at(middle), pieces, periods, numbers.over(middle, half)};
+    return {at(middle), pieces, periods, numbers.over({middle, half})};
   }
   [[nodiscard]] std::vector<std::vector<Rational>> some_inside() const {
     return of.size() == 1
@@ -422,7 +422,7 @@ TEST_CASE("without a load a state is decided on as long a curve as is proved") {
   const WorkingPrecision scope(64);
   const NumbersInData numbers(at, {parse_rational("0.11996")}, {parse_rational("0.12004")});
   const MachineQuestion question{brake, orbit.pieces, orbit.periods,
-                                 numbers.over({parse_rational("0.12")}, {parse_rational("0.00004")})};
+                                 numbers.over({{parse_rational("0.12")}, {parse_rational("0.00004")}})};
   const auto nodes = approximate_chains(Chain(question), in_middle(question), middle.nodes);
   REQUIRE(nodes);
   const ChainProof curve = prove_chains(Chain(question), *nodes, {});

@@ -88,7 +88,7 @@ TEST_CASE("numbers of machines are the functions of the data that they are") {
       there.emplace_back(middle[k] + s[k] * half[k]);
       in_balls.emplace_back(s[k]);
     }
-    OscillatorInData over = numbers.over(middle, half);
+    OscillatorInData over = numbers.over({middle, half});
     over.numbers.omega = over.numbers.omega * Ball(Ball(1) / (Ball(2) * Ball::pi()));
     const std::vector<InData<Ball>> found = numbers_of(over);
     const Values exact = numbers_of(at(there).oscillator);

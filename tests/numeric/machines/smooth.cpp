@@ -306,7 +306,7 @@ TEST_CASE("a smooth phase over data contains each one, and leaves out what is of
       const NumbersInData numbers([&](const Values& values) { return varied(fall, values); },
                                   Values(2, 1 - share), Values(2, 1 + share));
       REQUIRE(numbers.why_not().empty());
-      const LinearPhases all(numbers.over(Values(2, 1), Values(2, share)));
+      const LinearPhases all(numbers.over({Values(2, 1), Values(2, share)}));
       // Where it begins and how long it lasts varies, too.
       const auto along = [&](double constant, double first, double second) {
         InData<Ball> f((Ball(constant)));
