@@ -133,9 +133,9 @@ AttractorList find_attractors_from(const AttractorQuestion& question,
 }
 
 AttractorList find_attractors(const AttractorQuestion& question) {
-  AttractorList list =
-      find_attractors_from(question, random_starts(parameters_as<double>(question.machine.data),
-                                                   static_cast<std::size_t>(question.starts), question.seed));
+  AttractorList list = find_attractors_from(
+      question, random_starts_in(start_box(parameters_as<double>(question.machine.data)),
+                                 static_cast<std::size_t>(question.starts), question.seed));
   for (Attractor& a : list.attractors) {
     if (question.neighbourhood && a.orbit) {
       machines::surround(a.orbit->orbit, question.machine, a.orbit->periods);

@@ -83,9 +83,4 @@ StartBox start_box(const model::Parameters<double>& a) {
   return {{a.chi * d, d, 0, a.V - s}, {2 * s, 3 * s, 1.5 * s, 1.5 * s}};
 }
 
-std::vector<model::Vector4<double>> random_starts(const model::Parameters<double>& a, std::size_t count,
-                                                  std::uint64_t seed) {
-  return random_starts_in(start_box(a), count, seed);
-}
-
 }  // namespace stickslip::numeric::attractors

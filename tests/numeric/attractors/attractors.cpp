@@ -253,7 +253,7 @@ TEST_CASE("what nears a stable orbit slowly is not called quasi-periodic") {
 TEST_CASE("as a machine, the oscillator does the same from the same starts, also what it nears slowly") {
   const words::WordQuestion leaving{P(), parse_rational("0.2996"), 20};
   for (const words::WordQuestion& q : {slow_machine(), leaving}) {
-    const auto starts = random_starts(motion::parameters_as<double>(q.data), 20, 1);
+    const auto starts = random_starts_in(start_box(motion::parameters_as<double>(q.data)), 20, 1);
     const AttractorList list = find_attractors_from({q, 20, 1, 20000}, starts);
     const machines::Machine machine{model::friction_oscillator<Rational>(q.data, q.ur), false};
     const machines::MachineAttractors same =

@@ -85,7 +85,7 @@ TEST_CASE("the exponent of a periodic motion is the logarithm of its largest mul
 }
 
 TEST_CASE("a motion that neighbours leave exponentially is irregular") {
-  const auto starts = random_starts(in_double(O()), 12, 1);
+  const auto starts = random_starts_in(start_box(in_double(O())), 12, 1);
   int irregular = 0;
   for (const auto& X : starts) {
     Follower follower(in_double(O()), 0.4585, X);
@@ -101,9 +101,9 @@ TEST_CASE("a motion that neighbours leave exponentially is irregular") {
 
 TEST_CASE("random starts are the same for the same seed, and the first ones for any number") {
   const model::Parameters<double> a = in_double(O());
-  const auto few = random_starts(a, 10, 7);
-  const auto many = random_starts(a, 20, 7);
-  const auto others = random_starts(a, 10, 8);
+  const auto few = random_starts_in(start_box(a), 10, 7);
+  const auto many = random_starts_in(start_box(a), 20, 7);
+  const auto others = random_starts_in(start_box(a), 10, 8);
   for (std::size_t i = 0; i < few.size(); ++i) {
     CHECK(few[i] == many[i]);
     CHECK(few[i] != others[i]);
