@@ -235,7 +235,6 @@ class Survey {
   }
   [[nodiscard]] Endings<Attractor> result() const {
     Endings<Attractor> all{{}, 0, interrupted(), 0};
-    std::vector<bool> placed(followers_.size());
     for (const Group& group : groups_) {
       Attractor a;
       a.kind = Kind::periodic;
@@ -246,19 +245,14 @@ class Survey {
       a.orbit = group.orbit;
       a.state = group.seen.once.front();
       all.attractors.push_back(proofs_.completed(std::move(a)));
-      for (const std::size_t i : group.members) {
-        placed[i] = true;
-      }
     }
     std::map<Kind, Attractor> others;
     for (std::size_t i = 0; i < followers_.size(); ++i) {
       const AnyFollower& follower = *followers_[i];
       all.simulated += follower.periods();
-      if (!placed[i] && !follower.is_followed(most_periods_)) {
-        continue;  // interrupted
-      }
-      ++all.followed;
-      if (placed[i]) {
+      const bool placed = is_placed(i);
+      all.followed += placed || follower.is_followed(most_periods_) ? 1 : 0;  // else interrupted
+      if (placed || !follower.is_followed(most_periods_)) {
         continue;
       }
       const Kind kind = proofs_.kind(follower.kind());

@@ -30,15 +30,10 @@ void widen(InData<Ball>& x, const Ball& by) {
   x.rest += by;
 }
 
-Vector product(const Matrix& A, const Vector& x) {
-  return sparse_product(A, x);
-}
-Matrix product(const Matrix& A, const Matrix& B) {
-  return sparse_product(A, B);
-}
-template <class M>
-M product(const model::MatrixX<InData<Ball>>& A, const M& B) {
-  M C = M::Constant(A.rows(), B.cols(), InData<Ball>(Ball(0)));
+// As sparse_product, over data, too.
+template <class S, class M>
+M product_of_sparse(const model::MatrixX<S>& A, const M& B) {
+  M C = M::Constant(A.rows(), B.cols(), S(Ball(0)));
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
     for (Eigen::Index k = 0; k < A.cols(); ++k) {
       for (Eigen::Index l = 0; l < B.cols() && !is_none(A(i, k)); ++l) {
@@ -126,7 +121,7 @@ S pushed(const LinearPhases& phases, int side, const S& force) {
 template <class S>
 model::VectorX<S> smooth_rate(const LinearPhases& phases, int side, const model::VectorX<S>& w) {
   const model::SmoothFriction<S>& law = *phases.numbers<S>().law(side).smooth;
-  model::VectorX<S> rate = product(drift_of<S>(phases, side), w);
+  model::VectorX<S> rate = product_of_sparse(drift_of<S>(phases, side), w);
   rate(phases.speed_row()) += pushed<S>(phases, side, law.force(relative_velocity(phases, side, w)));
   return rate;
 }
@@ -202,7 +197,7 @@ auto SmoothPhaseOf<S>::series(const Column& w, const Square& derivative, std::si
     }
     const S force = (k == 0 ? law_.last : S(Ball(0))) + drop * shape[k] + law_.viscous * v;
     const Ball over = Ball(direction_) / (number + Ball(1));
-    Column next = product(drift_, result.w[k]);
+    Column next = product_of_sparse(drift_, result.w[k]);
     next(speed_) += pushed<S>(phases_, side_, force);
     result.w.push_back(times(next, over));
     if (!with_derivative_) {
@@ -210,7 +205,7 @@ auto SmoothPhaseOf<S>::series(const Column& w, const Square& derivative, std::si
     }
     slope.push_back((k == 0 ? law_.viscous : S(Ball(0))) -
                     drop / law_.scale * (exponential ? shape[k] : folded(shape, shape)));
-    Square turn = product(of_states, result.derivative[k]);
+    Square turn = product_of_sparse(of_states, result.derivative[k]);
     for (Eigen::Index column = 0; column < states_; ++column) {
       std::vector<S>& speed = speeds[static_cast<std::size_t>(column)];
       speed.push_back(result.derivative[k](speed_, column));

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "core/error.hpp"
 
@@ -79,11 +81,7 @@ Condition decide_with(const Motion& motion, const std::vector<model::PhaseWaves<
 // The verdict of closes, from the waves of all phases.
 Verdict closes_with(const std::vector<PhaseKind>& kinds, const Motion& motion,
                     const std::vector<model::PhaseWaves<Ball>>& known) {
-  bool same = kinds.size() == motion.phases.size();
-  for (std::size_t k = 0; same && k < kinds.size(); ++k) {
-    same = kinds[k] == motion.phases[k].kind;
-  }
-  if (!same) {
+  if (!std::ranges::equal(kinds, motion.phases, {}, {}, &Phase::kind)) {
     return Verdict::refuted("the phases are not those of the family");
   }
   static constexpr std::array<const char *, 4> names{"z1", "z2", "z1'", "z2'"};
@@ -161,10 +159,7 @@ std::vector<Condition> decide_all(const std::vector<PhaseKind>& kinds, const Req
 
 Verdict admissible(const std::vector<Condition>& conditions) {
   std::vector<Verdict> verdicts;
-  verdicts.reserve(conditions.size());
-  for (const Condition& condition : conditions) {
-    verdicts.push_back(condition.verdict);
-  }
+  std::ranges::transform(conditions, std::back_inserter(verdicts), &Condition::verdict);
   return all_of(verdicts);
 }
 
