@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/error.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {

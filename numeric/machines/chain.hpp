@@ -19,7 +19,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "numeric/machines/linear_phases.hpp"

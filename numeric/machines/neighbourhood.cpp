@@ -10,7 +10,7 @@
 #include "core/interruption.hpp"
 #include "core/parallel.hpp"
 #include "numeric/machines/chain_proof.hpp"
-#include "numeric/scalars/form.hpp"
+#include "numeric/scalars/scalars.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 namespace stickslip::numeric::machines {

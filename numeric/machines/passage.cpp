@@ -1,8 +1,5 @@
 #include "numeric/machines/passage.hpp"
 
-#include <algorithm>
-
-#include "core/error.hpp"
 #include "numeric/machines/smooth_phase.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 

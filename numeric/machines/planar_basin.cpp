@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
+#include <optional>
 #include <utility>
 
 #include "core/domain.hpp"

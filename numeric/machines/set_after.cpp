@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/domain.hpp"

@@ -5,7 +5,6 @@
 
 #include "numeric/machines/chain_proof.hpp"
 #include "numeric/machines/judge.hpp"
-#include "numeric/machines/settle.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 

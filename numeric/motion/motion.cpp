@@ -1,7 +1,5 @@
 #include "numeric/motion/motion.hpp"
 
-#include <optional>
-
 #include "core/error.hpp"
 #include "core/names.hpp"
 

@@ -17,7 +17,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 #include "core/domain.hpp"
 #include "numeric/simulation/record.hpp"

@@ -1,7 +1,6 @@
 // The periodic orbit of a word at a given friction, proved near a guess, with everything decided about it.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "numeric/families/orbit.hpp"
