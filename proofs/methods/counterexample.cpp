@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "proofs/methods/assumptions.hpp"
+#include "proofs/methods/derivation.hpp"
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/refutation.hpp"
 #include "proofs/symbols/evaluate.hpp"
@@ -15,27 +16,6 @@
 namespace stickslip::proofs::methods {
 
 using namespace symbols;
-
-namespace {
-
-// The verdict refuted, with its theorem; undecided where the kernel does not say so.
-void refute(Outcome& outcome, Prover& prover, const Scene& scene, const std::vector<Statement>& holding,
-            const std::vector<Statement>& failing) {
-  const auto open = [&](const std::exception& error) {
-    outcome.verdict = Verdict::undecided(fmt::format("no counterexample: {}", error.what()));
-  };
-  try {
-    outcome.theorems = {refutation(prover, scene, holding, failing)};
-    outcome.by_kernel = true;
-    outcome.verdict.truth = Truth::refuted;
-  } catch (const kernel::KernelError& error) {
-    open(error);
-  } catch (const NoValue& error) {
-    open(error);
-  }
-}
-
-}  // namespace
 
 Witness witness_of(const Statement& statement, const Scene& scene) {
   Replacements values;
@@ -77,8 +57,12 @@ Proof by_counterexample(Counterexample example) {
     std::vector<Statement> holding = example.values;
     holding.insert(holding.end(), example.true_there.begin(), example.true_there.end());
     const Scene scene{example.point, example.values};
-    refute(outcome, prover, scene, holding, example.false_there);
-    if (outcome.verdict.truth == Truth::refuted) {
+    const auto failure =
+        failure_of([&] { outcome.theorems = {refutation(prover, scene, holding, example.false_there)}; });
+    if (failure) {
+      outcome.verdict = Verdict::undecided(fmt::format("no counterexample: {}", *failure));
+    } else {
+      outcome.by_kernel = true;
       Witness witness = witness_of(example.false_there.back(), scene);
       witness.values.clear();  // the claim states them
       if (example.false_there.size() > 1) {

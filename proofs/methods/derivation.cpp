@@ -383,17 +383,24 @@ std::optional<Theorem> contradiction(Prover& prover, const Claim& claim) {
   Derivation derivation(prover, claim);
   return first_that_works(std::array{less(0, 0), equal(1, 0)}, [&](const Formula& absurd) {
     return derivation.settled(absurd.kind() == kernel::Kind::less ? derivation.follows(absurd)
+std::optional<std::string> failure_of(const std::function<void()>& work) {
+  try {
+    work();
+    return std::nullopt;
+  } catch (const KernelError& error) {
+    return error.what();
+  } catch (const NoValue& error) {
+    return error.what();
+  }
+}
+
                                                                   : derivation.combined(absurd));
   });
 }
 
 Outcome derived(const std::string& route, Prover& prover, const Claim& claim, const Derive& derive) {
   Outcome outcome;
-  const auto open = [&](const std::exception& error) {
-    outcome = {};
-    outcome.verdict = Verdict::undecided(error.what());
-  };
-  try {
+  const auto failure = failure_of([&] {
     if (claim.printed.empty()) {
       throw KernelError("it prints nothing that could be proved");
     }
@@ -403,10 +410,10 @@ Outcome derived(const std::string& route, Prover& prover, const Claim& claim, co
       theorems.push_back(derive(derivation, i));
     }
     derivation.conclude(outcome, theorems);
-  } catch (const KernelError& error) {
-    open(error);
-  } catch (const NoValue& error) {
-    open(error);
+  });
+  if (failure) {
+    outcome = {};
+    outcome.verdict = Verdict::undecided(*failure);
   }
   outcome.route = route;
   return outcome;

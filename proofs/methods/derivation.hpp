@@ -132,6 +132,9 @@ class Derivation {
 using Derive = std::function<kernel::Theorem(Derivation&, std::size_t)>;
 
 // 0 < 0, or 1 = 0, from what the claim assumes: nothing obeys it. Nothing where no contradiction is found.
+// What the work says where it throws KernelError, or symbols::NoValue; nothing where it does not.
+std::optional<std::string> failure_of(const std::function<void()>& work);
+
 [[nodiscard]] std::optional<kernel::Theorem> contradiction(Prover& prover, const Claim& claim);
 
 // What the claim prints, as the kernel derives it; undecided where it does not.

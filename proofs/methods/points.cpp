@@ -292,14 +292,13 @@ std::optional<std::pair<Scene, Theorem>> said_at_point(Prover& prover, const Cla
                                                        const std::optional<Statement>& doubted = {}) {
   constexpr std::size_t most_attempts = 12;
   const std::vector<Statement> failed = failing ? std::vector<Statement>{*failing} : std::vector<Statement>{};
-  try {
-    return tactics::first_that_works(
+  std::optional<std::pair<Scene, Theorem>> said;
+  failure_of([&] {  // no floating point says where to look
+    said = tactics::first_that_works(
         scenes(prover, claim, doubted ? doubted : failing, most_attempts, true),
         [&](const Scene& scene) { return std::pair(scene, refutation(prover, scene, holding, failed)); });
-  } catch (const KernelError&) {  // no floating point says where to look
-  } catch (const symbols::NoValue&) {
-  }
-  return std::nullopt;
+  });
+  return said;
 }
 
 }  // namespace
@@ -373,24 +372,16 @@ std::optional<Outcome> refuted_at_point(Prover& prover, const Claim& claim, cons
 }
 
 bool seems_to_fail(Prover& prover, const Claim& claim, const Statement& statement) {
-  try {
-    return !scenes(prover, claim, statement, 1, false).empty();
-  } catch (const KernelError&) {
-    return false;
-  } catch (const symbols::NoValue&) {
-    return false;
-  }
+  bool seems = false;
+  failure_of([&] { seems = !scenes(prover, claim, statement, 1, false).empty(); });
+  return seems;
 }
 
 std::optional<Theorem> obeying_point(Prover& prover, const Claim& claim,
                                      const std::vector<Hypothesis>& hypotheses) {
-  try {
-    const Claim all = with_hypotheses(claim, hypotheses);
-    const auto said = said_at_point(prover, all, assumed_statements(all), std::nullopt);
-    return said ? std::optional(said->second) : std::nullopt;
-  } catch (const symbols::NoValue&) {
-    return std::nullopt;
-  }
+  const Claim all = with_hypotheses(claim, hypotheses);
+  const auto said = said_at_point(prover, all, assumed_statements(all), std::nullopt);
+  return said ? std::optional(said->second) : std::nullopt;
 }
 
 bool is_equation_of_numbers(const Formula& formula) {

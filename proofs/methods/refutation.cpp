@@ -525,6 +525,7 @@ std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim,
   for (const Assumption& assumption : claim.assumptions) {
     take(assumption.statement);
   }
+  std::optional<Theorem> found;
   std::ranges::for_each(claim.printed, take);  // what is proved holds wherever the rest does
   scene.closed_forms = claim.printed;
   for (const Claim * before : prover.before(claim.id)) {
@@ -538,15 +539,11 @@ std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim,
                                            : std::vector<Rational>{0, {1, 2}, {7, 3}};
   for (const Rational& state : states) {
     scene.state = state;
-    try {
-      return refutation(prover, scene, holding, {});
-    } catch (const KernelError&) {
-      continue;
-    } catch (const symbols::NoValue&) {
-      continue;
+    if (!failure_of([&] { found = refutation(prover, scene, holding, {}); })) {
+      break;
     }
   }
-  return std::nullopt;
+  return found;
 }
 
 }  // namespace stickslip::proofs::methods
