@@ -16,12 +16,8 @@ using namespace kernel;
 namespace {
 
 void add_domain(Formulas& formulas) {
-  const Variables variables = all({formulas.begin(), formulas.end()}).variables();
-  for (const Theorem& domain : parameters()) {
-    if (std::ranges::includes(variables, domain.conclusion().variables())) {
-      formulas.insert(domain.conclusion());
-    }
-  }
+  const std::vector<Formula> domain = domain_of(all({formulas.begin(), formulas.end()}).variables());
+  formulas.insert(domain.begin(), domain.end());
 }
 
 // What holds of the same values: the formula, or what it says of those that it says there are. False if two

@@ -426,6 +426,16 @@ const Supposed& supposed() {
 }  // namespace
 
 const Domain& parameters() {
+std::vector<Formula> domain_of(const Variables& variables) {
+  std::vector<Formula> result;
+  for (const Theorem& one : parameters()) {
+    if (std::ranges::includes(variables, one.conclusion().variables())) {
+      result.push_back(one.conclusion());
+    }
+  }
+  return result;
+}
+
   return supposed().theorems;
 }
 

@@ -58,6 +58,8 @@ class Reader {
 // that rest on themselves, and what these say. Of the oscillator: 0 < omega1 < 1 < omega2, positive omega,
 // us, ur.
 [[nodiscard]] const std::vector<kernel::Theorem>& parameters();
+// The domain of the variables among these.
+[[nodiscard]] std::vector<kernel::Formula> domain_of(const kernel::Variables& variables);
 [[nodiscard]] const kernel::Formulas& domain_formulas();
 // The numbers between which it has the parameter.
 struct Bounds {

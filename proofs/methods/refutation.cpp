@@ -434,17 +434,6 @@ class Place {
   std::optional<Joined> joined_;
 };
 
-// The domain of the variables among these.
-std::vector<Formula> domain_of(const Variables& variables) {
-  std::vector<Formula> result;
-  for (const Theorem& one : parameters()) {
-    if (std::ranges::includes(variables, one.conclusion().variables())) {
-      result.push_back(one.conclusion());
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 Theorem refutation(Prover& prover, const Scene& scene, const std::vector<symbols::Statement>& holding,
@@ -525,7 +514,6 @@ std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim,
   for (const Assumption& assumption : claim.assumptions) {
     take(assumption.statement);
   }
-  std::optional<Theorem> found;
   std::ranges::for_each(claim.printed, take);  // what is proved holds wherever the rest does
   scene.closed_forms = claim.printed;
   for (const Claim * before : prover.before(claim.id)) {
@@ -537,6 +525,7 @@ std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim,
   const std::vector<Rational> states = symbols::vocabulary_here().is_of_model()
                                            ? std::vector<Rational>{0}
                                            : std::vector<Rational>{0, {1, 2}, {7, 3}};
+  std::optional<Theorem> found;
   for (const Rational& state : states) {
     scene.state = state;
     if (!failure_of([&] { found = refutation(prover, scene, holding, {}); })) {
