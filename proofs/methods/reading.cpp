@@ -106,6 +106,10 @@ void check_no_root_changes(const Variables& variables) {
   }
 }
 
+symbols::Lookup<Symbolic> scalars_of(Reader& read) {
+  return [&read](const std::string& name) { return Symbolic(read(symbols::scalar(name))); };
+}
+
 // The function of the time that this is a value of.
 Term of_time(const Term& value) {
   check_no_root_changes(value.variables());
@@ -120,23 +124,16 @@ std::optional<symbols::Term> root_of(const Variable& variable) {
 }
 
 Term Reader::scalar(const std::string& name) {
-  return once(name, {}, false, [&] { return scalar_made(name); });
-}
-
-Term Reader::scalar_made(const std::string& name) {
-  const symbols::Lookup<Symbolic> lookup = [this](const std::string& other) {
-    return Symbolic(scalar(other));
-  };
-  const symbols::Symbol * row = symbols::symbol_table().find(symbols::scalar(name));
-  Term term = Variable{name};
-  if (name == "pi") {
-    term = kernel::pi();
-  } else if (row != nullptr && (row->value || row->means)) {
-    term = defined(name, (*this)(row->value ? *row->value : *row->means));
-  } else if (const std::optional<Symbolic> formula = symbols::derived<Symbolic>(name, lookup)) {
-    term = defined(name, formula->term);
-  }
-  return term;
+  return once(name, {}, false, [&]() -> Term {
+    if (name == "pi") {
+      return kernel::pi();
+    }
+    if (const auto meaning = symbols::abbreviated(symbols::scalar(name))) {
+      return defined(name, (*this)(*meaning));
+    }
+    const std::optional<Symbolic> formula = symbols::derived<Symbolic>(name, scalars_of(*this));
+    return formula ? defined(name, formula->term) : Variable{name};
+  });
 }
 
 Term Reader::symbol(const symbols::Term& printed) {
@@ -148,15 +145,14 @@ Term Reader::symbol(const symbols::Term& printed) {
     return scalar(printed.name());
   }
   const symbols::Symbol * row = symbols::symbol_table().find(printed);
-  const symbols::Lookup<Symbolic> lookup = [this](const std::string& name) { return Symbolic(scalar(name)); };
   const auto& known = symbols::detail::matrices<Symbolic>();
   const auto formula = symbols::detail::formula_of<Symbolic>(known, printed.name());
   if (!(row != nullptr && row->value) && formula == known.end()) {
     throw NoValue("the symbol " + printed.name() + " has no meaning in the model");
   }
   return once(printed.name(), shape, false, [&] {
-    const Term body =
-        row != nullptr && row->value ? (*this)(*row->value) : as_kernel_term(formula->second(lookup));
+    const Term body = row != nullptr && row->value ? (*this)(*row->value)
+                                                   : as_kernel_term(formula->second(scalars_of(*this)));
     return body.variables().empty() ? body : defined(printed.name(), body);
   });
 }
@@ -187,11 +183,8 @@ Term Reader::function(const symbols::Term& printed) {
   if (formula == known.end()) {
     throw NoValue("the function " + name + " has no meaning in the model");
   }
-  const symbols::Lookup<Symbolic> lookup = [this](const std::string& other) {
-    return Symbolic(scalar(other));
-  };
   const Term applied = once(name, printed.shape(), true, [&] {
-    return defined(name, as_kernel_term(formula->second(lookup, Symbolic(time))), {time});
+    return defined(name, as_kernel_term(formula->second(scalars_of(*this), Symbolic(time))), {time});
   });
   return substitute(applied, {{time, argument}});
 }
@@ -426,6 +419,13 @@ const Supposed& supposed() {
 }  // namespace
 
 const Domain& parameters() {
+  return supposed().theorems;
+}
+
+const Formulas& domain_formulas() {
+  return supposed().formulas;
+}
+
 std::vector<Formula> domain_of(const Variables& variables) {
   std::vector<Formula> result;
   for (const Theorem& one : parameters()) {
@@ -434,13 +434,6 @@ std::vector<Formula> domain_of(const Variables& variables) {
     }
   }
   return result;
-}
-
-  return supposed().theorems;
-}
-
-const Formulas& domain_formulas() {
-  return supposed().formulas;
 }
 
 Bounds bounds_of(const std::string& parameter) {

@@ -38,7 +38,6 @@ class Reader {
 
  private:
   [[nodiscard]] kernel::Term scalar(const std::string& name);
-  [[nodiscard]] kernel::Term scalar_made(const std::string& name);
   [[nodiscard]] kernel::Term symbol(const symbols::Term& printed);
   [[nodiscard]] kernel::Term function(const symbols::Term& printed);
   [[nodiscard]] kernel::Formula relation(const symbols::Statement& statement);
@@ -58,9 +57,9 @@ class Reader {
 // that rest on themselves, and what these say. Of the oscillator: 0 < omega1 < 1 < omega2, positive omega,
 // us, ur.
 [[nodiscard]] const std::vector<kernel::Theorem>& parameters();
+[[nodiscard]] const kernel::Formulas& domain_formulas();
 // The domain of the variables among these.
 [[nodiscard]] std::vector<kernel::Formula> domain_of(const kernel::Variables& variables);
-[[nodiscard]] const kernel::Formulas& domain_formulas();
 // The numbers between which it has the parameter.
 struct Bounds {
   std::optional<Rational> lower, upper;
