@@ -108,6 +108,7 @@ class Derivation {
   [[nodiscard]] std::vector<kernel::Theorem> inequalities() const;  // of the domain and of what is known
   [[nodiscard]] std::optional<kernel::Theorem> differs_by_sign(const kernel::Formula& divisor) const;
   [[nodiscard]] std::vector<kernel::Theorem> positive_sines(const kernel::Term& term);
+  [[nodiscard]] static std::vector<kernel::Term> terms_of(const Problem& problem);
   [[nodiscard]] static std::vector<kernel::Term> residual(const Problem& problem);
   [[nodiscard]] kernel::Theorem solved(const Problem& problem, bool is_order);
   [[nodiscard]] kernel::Theorem with_fewest_given(const Problem& problem, const Rule& rule);

@@ -1,7 +1,6 @@
 // How a derivation finds which definitions to open and which given values to put in, and what follows from
 // what the claim assumes.
 #include <algorithm>
-#include <optional>
 
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/refutation.hpp"
@@ -21,18 +20,7 @@ Theorem Derivation::with_given(const Problem& problem, const std::set<std::strin
   }
   for (const Given& one : given_) {
     const auto has = [&](const Term& term) { return occurs(one.symbol(), term); };
-    const auto in_theorem = [&](const Theorem& theorem) { return has(theorem.conclusion()); };
-    const bool needed =
-        has(problem.goal) ||
-        std::ranges::any_of(problem.multiples,
-                            [&](const Multiple& multiple) {
-                              return in_theorem(multiple.equation) || has(multiple.left) ||
-                                     has(multiple.right);
-                            }) ||
-        std::ranges::any_of(problem.positives, [&](const Positive& positive) {
-          return has(positive.square) || std::ranges::any_of(positive.inequalities, in_theorem);
-        });
-    if (!(one.id.empty() || ids.contains(one.id)) || !needed) {
+    if (!(one.id.empty() || ids.contains(one.id)) || std::ranges::none_of(terms_of(problem), has)) {
       continue;
     }
     if (!one.id.empty()) {
@@ -93,6 +81,21 @@ Theorem Derivation::with_fewest_given(const Problem& problem, const Rule& rule) 
   return theorem;
 }
 
+// All that it is made of.
+std::vector<Term> Derivation::terms_of(const Problem& problem) {
+  std::vector<Term> all{problem.goal};
+  for (const Multiple& multiple : problem.multiples) {
+    all.insert(all.end(), {multiple.equation.conclusion(), multiple.left, multiple.right});
+  }
+  for (const Positive& positive : problem.positives) {
+    all.push_back(positive.square);
+    for (const Theorem& inequality : positive.inequalities) {
+      all.push_back(inequality.conclusion());
+    }
+  }
+  return all;
+}
+
 // What is to be zero for the rules order and combination: the difference of the sides, less what it is to be.
 std::vector<Term> Derivation::residual(const Problem& problem) {
   const bool equation = problem.goal.kind() == kernel::Kind::equal;
@@ -117,16 +120,7 @@ Theorem Derivation::with_derivatives(const Formula& formula, const tactics::Show
 }
 
 Theorem Derivation::solved(const Problem& problem, bool is_order) {
-  std::vector<Formula> said{problem.goal};
-  for (const Multiple& multiple : problem.multiples) {
-    said.insert(said.end(), {multiple.equation.conclusion(), multiple.left, multiple.right});
-  }
-  for (const Positive& positive : problem.positives) {
-    said.push_back(positive.square);
-    for (const Theorem& inequality : positive.inequalities) {
-      said.push_back(inequality.conclusion());
-    }
-  }
+  std::vector<Term> said = terms_of(problem);
   for (const Given& one : given_) {
     said.push_back(one.value());
   }
@@ -289,11 +283,7 @@ Theorem Derivation::related(const Formula& formula) {
     for (const Multiple& multiple : one.multiples) {
       known.push_back(multiple.equation);
     }
-    std::vector<Formula> said{one.goal};
-    for (const Theorem& theorem : known) {
-      said.push_back(theorem.conclusion());
-    }
-    const Definitions definitions = openings(said).all();
+    const Definitions definitions = openings(terms_of(one)).all();
     for (Theorem& theorem : known) {
       theorem = Theorem::convert(theorem, unfold(theorem.conclusion(), definitions), definitions);
     }
