@@ -156,10 +156,6 @@ Theorem Derivation::supposing(const Formula& inequality, const std::function<The
   return result ? *result : throw KernelError("it does not follow where " + to_string(inequality));
 }
 
-void Derivation::know(const Theorem& nonzero) {
-  stated_.push_back(nonzero);
-}
-
 Theorem Derivation::without_divisors(const Theorem& theorem) {
   if (divisors_stay_) {
     return theorem;
@@ -383,6 +379,10 @@ std::optional<Theorem> contradiction(Prover& prover, const Claim& claim) {
   Derivation derivation(prover, claim);
   return first_that_works(std::array{less(0, 0), equal(1, 0)}, [&](const Formula& absurd) {
     return derivation.settled(absurd.kind() == kernel::Kind::less ? derivation.follows(absurd)
+                                                                  : derivation.combined(absurd));
+  });
+}
+
 std::optional<std::string> failure_of(const std::function<void()>& work) {
   try {
     work();
@@ -392,10 +392,6 @@ std::optional<std::string> failure_of(const std::function<void()>& work) {
   } catch (const NoValue& error) {
     return error.what();
   }
-}
-
-                                                                  : derivation.combined(absurd));
-  });
 }
 
 Outcome derived(const std::string& route, Prover& prover, const Claim& claim, const Derive& derive) {
@@ -451,8 +447,7 @@ kernel::Positive not_negative(Derivation& derivation, const Term& a) {
 }
 
 Definitions Openings::all() const {
-  Definitions result = names;
-  result.insert(formulas.begin(), formulas.end());
+  Definitions result = with({});
   for (const auto& entry : closed) {
     result.insert(entry.second.begin(), entry.second.end());
   }
@@ -480,23 +475,20 @@ namespace {
 
 void add(Openings& openings, const Definition& definition) {
   const kernel::Type& type = definition.body().type();
-  const symbols::Symbol * row = nullptr;
-  for (const symbols::Symbol& one : symbols::symbol_table()) {
-    if (one.name == definition.name() && one.shape == symbols::Shape{type.rows, type.columns}) {
-      row = &one;
-      break;
-    }
-  }
-  if (row != nullptr && row->value) {
+  const symbols::Symbols& table = symbols::symbol_table();
+  const auto row = std::ranges::find_if(table, [&](const symbols::Symbol& one) {
+    return one.name == definition.name() && one.shape == symbols::Shape{type.rows, type.columns};
+  });
+  const bool has_row = row != table.end();
+  if (has_row && row->value) {
     openings.names.insert(definition);
   } else if (!type.is_scalar()) {
     openings.formulas.insert(definition);
   } else {
-    const std::string id = row == nullptr             ? ""
-                           : row->means               ? Openings::coefficients
-                           : !row->formula_in.empty() ? row->formula_in
-                                                      : "39";
-    openings.closed[id.empty() ? "39" : id].insert(definition);
+    const std::string id = has_row && row->means                 ? Openings::coefficients
+                           : has_row && !row->formula_in.empty() ? row->formula_in
+                                                                 : "39";
+    openings.closed[id].insert(definition);
   }
 }
 

@@ -66,7 +66,7 @@ class Derivation {
   // a = b: b is put in for a wherever that stands.
   void give(const kernel::Theorem& equation) { given_.push_back({"", equation}); }
   // Divisors are discharged with a theorem d ≠ 0, too.
-  void know(const kernel::Theorem& nonzero);
+  void know(const kernel::Theorem& nonzero) { stated_.push_back(nonzero); }
   // 0 < a, under hypotheses that its factors are not zero. That sin x is positive follows from 0 < x < pi.
   [[nodiscard]] kernel::Theorem positive(const kernel::Term& a);
 
@@ -132,10 +132,10 @@ class Derivation {
 // How one of the printed statements, by its number from 0, is derived.
 using Derive = std::function<kernel::Theorem(Derivation&, std::size_t)>;
 
-// 0 < 0, or 1 = 0, from what the claim assumes: nothing obeys it. Nothing where no contradiction is found.
 // What the work says where it throws KernelError, or symbols::NoValue; nothing where it does not.
 std::optional<std::string> failure_of(const std::function<void()>& work);
 
+// 0 < 0, or 1 = 0, from what the claim assumes: nothing obeys it. Nothing where no contradiction is found.
 [[nodiscard]] std::optional<kernel::Theorem> contradiction(Prover& prover, const Claim& claim);
 
 // What the claim prints, as the kernel derives it; undecided where it does not.
