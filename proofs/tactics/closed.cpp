@@ -76,66 +76,59 @@ Theorem not_below(const Formula& formula, const KnownRoots& roots) {
   return Theorem::consequence({opposite, Theorem::trichotomy(a, b)}, negation(formula));
 }
 
-// Of each part, or of one of them.
-using Decide = Theorem (*)(const Formula&, const KnownRoots&);
-Theorem of_all(const Formula& formula, Decide one, const KnownRoots& roots, const Formula& conclusion) {
+Theorem decided(const Formula& formula, bool holds, const KnownRoots& roots);
+
+// That it holds, or does not, by what each part does, or one of them.
+Theorem by_parts(const Formula& formula, bool holds, const KnownRoots& roots, const Formula& said) {
+  const bool is_of_all = (formula.kind() == Kind::conjunction) == holds;
   std::vector<Theorem> parts;
   for (const Formula& part : formula.parts()) {
-    parts.push_back(one(part, roots));
-  }
-  return Theorem::consequence(parts, conclusion);
-}
-Theorem of_one(const Formula& formula, Decide one, const KnownRoots& roots, const Formula& conclusion) {
-  for (const Formula& part : formula.parts()) {
-    if (const auto found = attempt([&] { return one(part, roots); })) {
-      return Theorem::consequence({*found}, conclusion);
+    if (is_of_all) {
+      parts.push_back(decided(part, holds, roots));
+    } else if (const auto found = attempt([&] { return decided(part, holds, roots); })) {
+      return Theorem::consequence({*found}, said);
     }
   }
-  throw KernelError("no part decides it: " + to_string(formula));
+  return is_of_all ? Theorem::consequence(parts, said)
+                   : throw KernelError("no part decides it: " + to_string(formula));
+}
+
+// The formula, or its negation.
+Theorem decided(const Formula& formula, bool holds, const KnownRoots& roots) {
+  const Formula said = holds ? formula : negation(formula);
+  switch (formula.kind()) {
+    case Kind::equal:
+      return holds ? equation(formula, roots) : difference(formula, roots);
+    case Kind::less:
+    case Kind::at_most:
+      return holds ? inequality(formula, roots) : not_below(formula, roots);
+    case Kind::negation: {
+      const Theorem inside = decided(formula.parts()[0], !holds, roots);
+      return holds ? inside : Theorem::consequence({inside}, said);
+    }
+    case Kind::conjunction:
+    case Kind::disjunction:
+      return by_parts(formula, holds, roots, said);
+    case Kind::exists: {
+      const auto shown = [&](const Formula& one) { return decided(one, holds, roots); };
+      return holds
+                 ? there_are_slopes(
+                       formula, [&](const Theorem& slope) { return without_hypotheses(slope, roots); }, shown)
+                 : there_are_no_slopes(formula, shown);
+    }
+    default:
+      throw KernelError("it is not decided at one point: " + to_string(formula));
+  }
 }
 
 }  // namespace
 
 Theorem certainly(const Formula& formula, const KnownRoots& roots) {
-  switch (formula.kind()) {
-    case Kind::equal:
-      return equation(formula, roots);
-    case Kind::less:
-    case Kind::at_most:
-      return inequality(formula, roots);
-    case Kind::negation:
-      return certainly_not(formula.parts()[0], roots);
-    case Kind::conjunction:
-      return of_all(formula, certainly, roots, formula);
-    case Kind::disjunction:
-      return of_one(formula, certainly, roots, formula);
-    case Kind::exists:
-      return there_are_slopes(
-          formula, [&](const Theorem& slope) { return without_hypotheses(slope, roots); },
-          [&](const Formula& one) { return certainly(one, roots); });
-    default:
-      throw KernelError("it is not decided at one point: " + to_string(formula));
-  }
+  return decided(formula, true, roots);
 }
 
 Theorem certainly_not(const Formula& formula, const KnownRoots& roots) {
-  switch (formula.kind()) {
-    case Kind::equal:
-      return difference(formula, roots);
-    case Kind::less:
-    case Kind::at_most:
-      return not_below(formula, roots);
-    case Kind::negation:
-      return Theorem::consequence({certainly(formula.parts()[0], roots)}, negation(formula));
-    case Kind::conjunction:
-      return of_one(formula, certainly_not, roots, negation(formula));
-    case Kind::disjunction:
-      return of_all(formula, certainly_not, roots, negation(formula));
-    case Kind::exists:
-      return there_are_no_slopes(formula, [&](const Formula& one) { return certainly_not(one, roots); });
-    default:
-      throw KernelError("it is not decided at one point: " + to_string(formula));
-  }
+  return decided(formula, false, roots);
 }
 
 Theorem without_hypotheses(const Theorem& theorem, const KnownRoots& roots) {
