@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
-
-#include "proofs/symbols/parse_tree.hpp"
 
 namespace stickslip::proofs::symbols {
 namespace {
@@ -67,39 +64,6 @@ bool is_name(const std::string& word) {
   return !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0 &&
          std::ranges::all_of(
              word, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
-}
-
-std::vector<Statement> parse_statements(std::string_view line, const Names& names) {
-  using namespace parsing;
-  const Relations read = relations_in(line, names);
-  const auto interval = [&](const std::pair<Node, Node>& ends) {
-    return std::pair(number_of(ends.first, line, names), number_of(ends.second, line, names));
-  };
-  std::optional<Times> times;
-  if (read.times) {
-    const auto [from, to] = interval(*read.times);
-    times = Times{from, to, read.almost};
-  }
-  std::vector<Statement> statements;
-  for (std::size_t i = 0; i < read.between.size(); ++i) {
-    const auto [left, right] = sides_of(read.sides[i], read.sides[i + 1], line, names);
-    statements.push_back({left, right, read.between[i], times});
-  }
-  if (read.continuous) {  // which what is differentiated is in any case
-    const auto [from, to] = interval(*read.continuous);
-    if (statements.size() != 1 || statements[0].left.op() != Op::derivative || !equal(from, times->from) ||
-        !equal(to, times->to)) {
-      throw ParseError(
-          line, read.continuous->first.at,
-          "what is differentiated is continuous, on the interval of its times, and nothing else is said "
-          "to be");
-    }
-  }
-  return statements;
-}
-
-Term parse_term(std::string_view line, const Names& names, const std::optional<Shape>& shape) {
-  return parsing::term_of(parsing::expression_in(line, names), line, names, shape);
 }
 
 }  // namespace stickslip::proofs::symbols

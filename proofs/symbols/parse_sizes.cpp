@@ -1,3 +1,4 @@
+// Trees of lines as terms: 0, I and what stands about them take the sizes that fit.
 #include "proofs/symbols/parse_tree.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +31,6 @@ void learn(Shape& size, const Shape& other) {
   size.columns = size.columns > 0 ? size.columns : other.columns;
 }
 
-// Trees to terms: 0, I and what stands about them take the sizes that fit.
 class Shaper {
  public:
   Shaper(std::string_view line, const Names& names) : line_(line), names_(names) {}
@@ -335,18 +335,42 @@ class Shaper {
 };
 
 }  // namespace
-
-std::pair<Term, Term> sides_of(const Node& left, const Node& right, std::string_view line,
-                               const Names& names) {
-  return Shaper(line, names).sides(left, right);
-}
-
-Term number_of(const Node& node, std::string_view line, const Names& names) {
-  return Shaper(line, names).scalar(node);
-}
-
-Term term_of(const Node& node, std::string_view line, const Names& names, const std::optional<Shape>& shape) {
-  return Shaper(line, names).made(node, shape.value_or(unknown_size));
-}
-
 }  // namespace stickslip::proofs::symbols::parsing
+
+namespace stickslip::proofs::symbols {
+
+std::vector<Statement> parse_statements(std::string_view line, const Names& names) {
+  const parsing::Relations read = parsing::relations_in(line, names);
+  const parsing::Shaper shaper(line, names);
+  const auto interval = [&](const std::pair<parsing::Node, parsing::Node>& ends) {
+    return std::pair(shaper.scalar(ends.first), shaper.scalar(ends.second));
+  };
+  std::optional<Times> times;
+  if (read.times) {
+    const auto [from, to] = interval(*read.times);
+    times = Times{from, to, read.almost};
+  }
+  std::vector<Statement> statements;
+  for (std::size_t i = 0; i < read.between.size(); ++i) {
+    const auto [left, right] = shaper.sides(read.sides[i], read.sides[i + 1]);
+    statements.push_back({left, right, read.between[i], times});
+  }
+  if (read.continuous) {  // which what is differentiated is in any case
+    const auto [from, to] = interval(*read.continuous);
+    if (statements.size() != 1 || statements[0].left.op() != Op::derivative || !equal(from, times->from) ||
+        !equal(to, times->to)) {
+      throw ParseError(
+          line, read.continuous->first.at,
+          "what is differentiated is continuous, on the interval of its times, and nothing else is said "
+          "to be");
+    }
+  }
+  return statements;
+}
+
+Term parse_term(std::string_view line, const Names& names, const std::optional<Shape>& shape) {
+  return parsing::Shaper(line, names)
+      .made(parsing::expression_in(line, names), shape.value_or(parsing::unknown_size));
+}
+
+}  // namespace stickslip::proofs::symbols

@@ -1,4 +1,4 @@
-// Lines as trees whose sizes are not known yet. For parse.cpp.
+// Lines as trees whose sizes are not known yet.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace stickslip::proofs::symbols::parsing {
 
-// The words and signs of a line. For parse.cpp.
+// The words and signs of a line.
 
 enum class Kind { number, name, sign, end };
 
@@ -45,14 +45,5 @@ struct Relations {
 // Throw ParseError. What they return points into the names.
 [[nodiscard]] Relations relations_in(std::string_view line, const Names& names);
 [[nodiscard]] Node expression_in(std::string_view line, const Names& names);
-
-// Trees of lines as terms: 0, I and what stands about them take the sizes that fit. For parse.cpp.
-
-// The two sides of a relation, of one size; a number; any term. Throw ParseError.
-[[nodiscard]] std::pair<Term, Term> sides_of(const Node& left, const Node& right, std::string_view line,
-                                             const Names& names);
-[[nodiscard]] Term number_of(const Node& node, std::string_view line, const Names& names);
-[[nodiscard]] Term term_of(const Node& node, std::string_view line, const Names& names,
-                           const std::optional<Shape>& shape = {});
 
 }  // namespace stickslip::proofs::symbols::parsing
