@@ -662,7 +662,7 @@ class Reading {
     const bool is_given =
         claim.kind == Kind::model || (claim.kind == Kind::definition && programs_ != nullptr);
     if (!claim.prove && !is_given) {
-      claim.prove = proof_of({claim, *context_}, "");
+      claim.prove = proof_of(claim, *context_, "");
     }
     if (!claim.corrected.empty() && !claim.prove_corrected) {
       claim.prove_corrected = claim.prove;
@@ -670,7 +670,7 @@ class Reading {
   }
   [[nodiscard]] Proof proof(const Claim& claim, const std::string& line) const {
     if (programs_ == nullptr) {
-      return here([&] { return proof_of({claim, *context_}, line); });
+      return here([&] { return proof_of(claim, *context_, line); });
     }
     if (line == "program") {
       return programmed(&Programs::proofs, claim.id);
@@ -679,7 +679,7 @@ class Reading {
     // than this, or cannot be read, proves nothing.
     return [context = std::shared_ptr<const ProofContext>(context_), line](Prover& prover, const Claim& of) {
       try {
-        return proof_of({of, *context}, line)(prover, of);
+        return proof_of(of, *context, line)(prover, of);
       } catch (const UsageError& error) {
         return Outcome{.verdict = Verdict::undecided(error.what())};
       }

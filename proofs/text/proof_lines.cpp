@@ -47,23 +47,31 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
   return parts;
 }
 
+// The text before the last such word between blanks, and what follows it, if it is there.
+std::pair<std::string, std::optional<std::string>> with_clause(const std::string& text,
+                                                               const std::string& word) {
+  const auto place = text.rfind(fmt::format(" {} ", word));
+  return place == std::string::npos ? std::pair(text, std::optional<std::string>())
+                                    : std::pair(trimmed(text.substr(0, place)),
+                                                std::optional(trimmed(text.substr(place + word.size() + 2))));
+}
+
 class Lines {
  public:
-  explicit Lines(const ProofPlace& place) : place_(place) {}
+  Lines(const Claim& claim, const ProofContext& context) : claim_(claim), context_(context) {}
 
   // The statements of an assumption of the claim, or of a claim before it.
   [[nodiscard]] std::vector<Statement> statements_of(const std::string& id) const {
     std::vector<Statement> result;
-    for (const Assumption& one : place_.claim.assumptions) {
+    for (const Assumption& one : claim_.assumptions) {
       if (one.id == id) {
         result.push_back(one.statement);
       }
     }
     if (result.empty()) {
-      const auto found = place_.context.said.find(without_claim(id));
-      if (found == place_.context.said.end()) {
-        throw UsageError(
-            fmt::format("'{}' is neither assumed by {} nor a claim before it", id, place_.claim.id));
+      const auto found = context_.said.find(without_claim(id));
+      if (found == context_.said.end()) {
+        throw UsageError(fmt::format("'{}' is neither assumed by {} nor a claim before it", id, claim_.id));
       }
       result = found->second;
     }
@@ -78,24 +86,22 @@ class Lines {
   // Of what the claim assumes.
   [[nodiscard]] std::string assumed(const std::string& id) const {
     if (!is_assumed(id)) {
-      throw UsageError(fmt::format("{} assumes nothing as '{}'", place_.claim.id, id));
+      throw UsageError(fmt::format("{} assumes nothing as '{}'", claim_.id, id));
     }
     return id;
   }
 
-  [[nodiscard]] Term term(const std::string& text) const {
-    return symbols::parse_term(text, place_.context.names);
-  }
+  [[nodiscard]] Term term(const std::string& text) const { return symbols::parse_term(text, context_.names); }
 
   // "id at t = tau1, s = 0 for H(t) over H2(t) given step by 13".
   [[nodiscard]] Premise premise(const std::string& text) const {
     std::string rest = text;
     std::map<std::string, std::string> clauses;
     for (const char * word : {"given", "over", "for", "at"}) {  // from the end
-      const auto place = rest.rfind(fmt::format(" {} ", word));
-      if (place != std::string::npos) {
-        clauses[word] = trimmed(rest.substr(place + 2 + std::string(word).size()));
-        rest = trimmed(rest.substr(0, place));
+      const auto [before, clause] = with_clause(rest, word);
+      if (clause) {
+        clauses[word] = *clause;
+        rest = before;
       }
     }
     Premise result = premise_named(rest);
@@ -124,7 +130,7 @@ class Lines {
   [[nodiscard]] std::vector<Statement> statements(const std::string& text) const {
     std::vector<Statement> result;
     for (const std::string& part : parts_of(text, ';')) {
-      for (const Statement& one : symbols::parse_statements(part, place_.context.names)) {
+      for (const Statement& one : symbols::parse_statements(part, context_.names)) {
         result.push_back(one);
       }
     }
@@ -144,7 +150,7 @@ class Lines {
 
   [[nodiscard]] Sum sum(const std::string& text, const symbols::Shape& shape = {}) const {
     Sum result;
-    symbols::Names names = place_.context.names;
+    symbols::Names names = context_.names;
     std::string plain;
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] != '@') {
@@ -268,7 +274,7 @@ class Lines {
     for (const std::string& part : parts_of(parts.front().substr(3), ',')) {
       const auto equals = part.find('=');
       const std::string name = trimmed(part.substr(0, equals));
-      if (equals == std::string::npos || !place_.context.names.quantities.contains(name)) {
+      if (equals == std::string::npos || !context_.names.quantities.contains(name)) {
         throw UsageError(fmt::format("'{}': a symbol of a number, '=' and its value", part));
       }
       result.point.push_back({name, parse_rational(trimmed(part.substr(equals + 1)))});
@@ -286,12 +292,28 @@ class Lines {
         clause.insert(clause.end(), more.begin(), more.end());
       }
     }
-    for (const Assumption& one : place_.claim.assumptions) {
+    for (const Assumption& one : claim_.assumptions) {
       result.true_there.push_back(one.statement);
     }
     result.values = clauses["where"];
     result.true_there = clauses.contains("with") ? clauses["with"] : result.true_there;
-    result.false_there = clauses.contains("not") ? clauses["not"] : place_.claim.printed;
+    result.false_there = clauses.contains("not") ? clauses["not"] : claim_.printed;
+    return result;
+  }
+
+  // One for each statement that the claim prints.
+  template <class Part, class Make>
+  [[nodiscard]] std::vector<Part> for_each_statement(const std::string& text, const Make& make) const {
+    const std::vector<std::string> parts = parts_of(text, ';');
+    const std::vector<Statement>& printed = claim_.printed;
+    if (parts.size() != printed.size()) {
+      throw UsageError(fmt::format("{} states {} things, and its proof is of {}", claim_.id, printed.size(),
+                                   parts.size()));
+    }
+    std::vector<Part> result;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      result.push_back(make(parts[i], printed[i]));
+    }
     return result;
   }
 
@@ -317,7 +339,7 @@ class Lines {
     return id.starts_with("claim ") ? trimmed(id.substr(6)) : id;
   }
   [[nodiscard]] bool is_assumed(const std::string& id) const {
-    return std::ranges::find(place_.claim.assumptions, id, &Assumption::id) != place_.claim.assumptions.end();
+    return std::ranges::find(claim_.assumptions, id, &Assumption::id) != claim_.assumptions.end();
   }
 
   // What is positive, and equations.
@@ -374,24 +396,9 @@ class Lines {
     return premise.given(trimmed(text.substr(0, by)), claim);
   }
 
-  const ProofPlace& place_;
+  const Claim& claim_;
+  const ProofContext& context_;
 };
-
-// One for each statement.
-template <class Part, class Make>
-std::vector<Part> for_each_statement(const ProofPlace& place, const std::string& text, const Make& make) {
-  const std::vector<std::string> parts = parts_of(text, ';');
-  const std::vector<Statement>& printed = place.claim.printed;
-  if (parts.size() != printed.size()) {
-    throw UsageError(fmt::format("{} states {} things, and its proof is of {}", place.claim.id,
-                                 printed.size(), parts.size()));
-  }
-  std::vector<Part> result;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    result.push_back(make(parts[i], printed[i]));
-  }
-  return result;
-}
 
 // Exactly so many parts, between semicolons.
 std::vector<std::string> parts_of(const std::string& text, std::size_t count, const char * what) {
@@ -402,20 +409,11 @@ std::vector<std::string> parts_of(const std::string& text, std::size_t count, co
   return parts;
 }
 
-// The text before the last such word between blanks, and what follows it, if it is there.
-std::pair<std::string, std::optional<std::string>> with_clause(const std::string& text,
-                                                               const std::string& word) {
-  const auto place = text.rfind(fmt::format(" {} ", word));
-  return place == std::string::npos ? std::pair(text, std::optional<std::string>())
-                                    : std::pair(trimmed(text.substr(0, place)),
-                                                std::optional(trimmed(text.substr(place + word.size() + 2))));
-}
-
-Proof order(const ProofPlace& place, const Lines& lines, const std::string& text) {
+Proof order(const Lines& lines, const std::string& text) {
   const auto [sums, positive] = with_clause(text, "positive");
   return by_positive_combination(
-      for_each_statement<Certificate>(
-          place, sums, [&](const std::string& part, const Statement&) { return lines.certificate(part); }),
+      lines.for_each_statement<Certificate>(
+          sums, [&](const std::string& part, const Statement&) { return lines.certificate(part); }),
       positive ? std::optional(lines.premise(*positive)) : std::nullopt);
 }
 
@@ -501,8 +499,8 @@ Proof instances(const Lines& lines, const std::string& text) {
 
 }  // namespace
 
-Proof proof_of(const ProofPlace& place, const std::string& line) {
-  const Lines lines(place);
+Proof proof_of(const Claim& claim, const ProofContext& context, const std::string& line) {
+  const Lines lines(claim, context);
   using Make = std::function<Proof(const std::string&)>;
   const std::vector<std::pair<std::string, Make>> known{
       {"normal form of", [&](const std::string& rest) { return by_normal_form(lines.statements(rest)); }},
@@ -514,12 +512,12 @@ Proof proof_of(const ProofPlace& place, const std::string& line) {
       {"inverse", [&](const std::string& rest) { return by_inverse(lines.premise(rest)); }},
       {"combination",
        [&](const std::string& rest) {
-         return by_combination(for_each_statement<std::vector<methods::Multiple>>(
-             place, rest, [&](const std::string& part, const Statement& printed) {
+         return by_combination(lines.for_each_statement<std::vector<methods::Multiple>>(
+             rest, [&](const std::string& part, const Statement& printed) {
                return lines.multiples(part, printed);
              }));
        }},
-      {"order", [&](const std::string& rest) { return order(place, lines, rest); }},
+      {"order", [&](const std::string& rest) { return order(lines, rest); }},
       {"nonzero", [&](const std::string& rest) { return nonzero(lines, rest); }},
       {"zero of cosine", [&](const std::string& rest) { return zero_of_cosine(lines, rest); }},
       {"flow", [&](const std::string& rest) { return flow(lines, rest); }},

@@ -18,13 +18,7 @@ struct ProofContext {
   std::map<std::string, std::vector<symbols::Statement>> said;
 };
 
-// What stands about a proof: its claim with all that it states and assumes.
-struct ProofPlace {
-  const methods::Claim& claim;
-  const ProofContext& context;
-};
-
-// The proof that the line names:
+// The proof that the line names, of the claim with all that it states and assumes:
 //   normal form [of STATEMENT; …] | definition | rewriting PREMISES | premises PREMISES | putting in PREMISES
 //   inverse PREMISE | combination SUM; … | order CERTIFICATE; … [positive PREMISE]
 //   nonzero ID times EXPRESSION | zero of cosine EXPRESSION; PREMISE; NUMBER; NUMBER
@@ -42,7 +36,8 @@ struct ProofPlace {
 // in the order in which methods/methods.hpp, implications.hpp and motions.hpp have them. An ID is that of an
 // assumption of the claim, or else of a claim of the context; `claim ID` is the claim. Nothing: whatever
 // method works (methods/automatic.hpp). Throws UsageError, or ParseError.
-[[nodiscard]] methods::Proof proof_of(const ProofPlace& place, const std::string& line);
+[[nodiscard]] methods::Proof proof_of(const methods::Claim& claim, const ProofContext& context,
+                                      const std::string& line);
 
 // Without blanks at either end.
 [[nodiscard]] std::string trimmed(std::string_view text);
