@@ -309,7 +309,7 @@ class Reading {
     }
     PrintedStatement one{.id = id,
                          .place = checked_words(after_kind.substr(1, closing - 1)),
-                         .kind = kind_of(kind, {Kind::words, Kind::figure, Kind::check}),
+                         .kind = kind_of(kind, Kind::check),
                          .words = checked_words(trimmed(after_kind.substr(closing + 1)))};
     one.section = part_;
     std::string claims, other, see;
@@ -708,16 +708,14 @@ class Reading {
     return claim;
   }
 
-  [[nodiscard]] Kind kind_of(const std::string& word, const std::vector<Kind>& more = {}) const {
-    std::vector<Kind> kinds{Kind::definition, Kind::model,     Kind::identity, Kind::step,
-                            Kind::theorem,    Kind::condition, Kind::numbers};
-    kinds.insert(kinds.end(), more.begin(), more.end());
+  // Of those from the first to this one.
+  [[nodiscard]] Kind kind_of(const std::string& word, Kind last = Kind::numbers) const {
     std::vector<std::string> names;
-    for (const Kind kind : kinds) {
-      if (to_string(kind) == word) {
-        return kind;
+    for (int k = 0; k <= static_cast<int>(last); ++k) {
+      names.push_back(to_string(static_cast<Kind>(k)));
+      if (names.back() == word) {
+        return static_cast<Kind>(k);
       }
-      names.push_back(to_string(kind));
     }
     fail(fmt::format("'{}' is no kind of claim: there are {}", word, fmt::join(names, ", ")));
   }
