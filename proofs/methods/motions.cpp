@@ -87,13 +87,12 @@ Theorem in_case(Derivation& derivation, const Formula& goal, const Theorems& kno
   throw KernelError("no alternative holds in a case: " + why);
 }
 
-// The premises at t + later, where t is between the ends.
-AlmostAlways moved(Derivation& derivation, const AlmostAlways& premise, const kernel::Term& from,
-                   const kernel::Term& to, const kernel::Term& later) {
-  const auto [a, b] = interval(premise.few.conclusion());
-  return {premise.continuity,
-          but_finitely_often_later(premise.few, from, to, later, derivation.follows(at_most(a, from + later)),
-                                   derivation.follows(at_most(to + later, b)))};
+// The premise at t + later, where t is between the ends.
+Theorem moved(Derivation& derivation, const Theorem& few, const kernel::Term& from, const kernel::Term& to,
+              const kernel::Term& later) {
+  const auto [a, b] = interval(few.conclusion());
+  return but_finitely_often_later(few, from, to, later, derivation.follows(at_most(a, from + later)),
+                                  derivation.follows(at_most(to + later, b)));
 }
 
 // for all t: from ≤ t ≤ to ⇒ a ≤ t + later ≤ b.
@@ -178,7 +177,7 @@ Proof by_chain_rule(const std::vector<Premise>& premises, const std::optional<sy
     Theorems few, continuities;
     for (const Premise& premise : premises) {
       const AlmostAlways one = read_as_almost_always(derivation.premise(premise));
-      few.push_back(later ? moved(derivation, one, from, to, derivation.read(*later)).few : one.few);
+      few.push_back(later ? moved(derivation, one.few, from, to, derivation.read(*later)) : one.few);
       if (one.continuity) {
         continuities.push_back(*one.continuity);
       }

@@ -57,6 +57,9 @@ class Draw {
     static const std::array<Rational, 14> small{
         Rational(0),     Rational(1),    Rational(-1),    Rational(1, 2),  Rational(2),
         Rational(3, 5),  Rational(4, 5), Rational(-3, 5), Rational(5, 13), Rational(12, 13),
+    const auto any_small = [this] {
+      return small[static_cast<std::size_t>(below(static_cast<int>(small.size())))];
+    };
         Rational(-1, 2), Rational(3),    Rational(-2),    Rational(1, 3)};
     const Bounds bounds = bounds_of(name);
     if (bounds.lower && bounds.upper) {
@@ -65,8 +68,7 @@ class Draw {
     const Rational size = ratio(below(60) + 1, 1 + below(12));
     if (bounds.lower || bounds.upper) {
       constexpr std::size_t many = 100;
-      const Rational& other =
-          small[k < many ? 0 : static_cast<std::size_t>(below(static_cast<int>(small.size())))];
+      const Rational other = k < many ? small[0] : any_small();
       if (k >= many && (bounds.lower ? other > *bounds.lower : other < *bounds.upper) && below(2) == 0) {
         return other;
       }
@@ -75,9 +77,7 @@ class Draw {
     if (k < small.size()) {
       return small[k];
     }
-    return below(2) == 0   ? small[static_cast<std::size_t>(below(static_cast<int>(small.size())))]
-           : below(2) == 0 ? size
-                           : Rational(-size);
+    return below(2) == 0 ? any_small() : below(2) == 0 ? size : Rational(-size);
   }
 
  private:

@@ -73,8 +73,9 @@ std::vector<Token> tokens_of(std::string_view line) {
   };
   while (i < plain.text.size()) {
     const std::string_view rest = std::string_view(plain.text).substr(i);
-    const auto length = [&](auto belongs) {
-      return static_cast<std::size_t>(std::ranges::find_if_not(rest, belongs) - rest.begin());
+    const auto length = [&](auto belongs, std::size_t from = 0) {
+      const std::string_view here = rest.substr(from);
+      return static_cast<std::size_t>(std::ranges::find_if_not(here, belongs) - here.begin());
     };
     const auto sign = std::ranges::find_if(long_signs, [&](auto one) { return rest.starts_with(one); });
     if (is_blank(rest.front())) {
@@ -85,11 +86,7 @@ std::vector<Token> tokens_of(std::string_view line) {
     } else if (is_digit(rest.front())) {
       const std::size_t whole = length(is_digit);
       const bool point = whole + 1 < rest.size() && rest[whole] == '.' && is_digit(rest[whole + 1]);
-      const std::size_t digits =
-          !point ? whole
-                 : whole + 1 +
-                       static_cast<std::size_t>(std::ranges::find_if_not(rest.substr(whole + 1), is_digit) -
-                                                rest.substr(whole + 1).begin());
+      const std::size_t digits = point ? whole + 1 + length(is_digit, whole + 1) : whole;
       if (digits > longest_number) {
         throw ParseError(line, plain.places[i],
                          fmt::format("a number has at most {} digits", longest_number));

@@ -148,9 +148,7 @@ Theorem by_cases(const std::vector<Theorem>& premises, const Formula& goal, cons
   std::vector<Theorem> known = premises;
   for (const std::vector<Formula>& one : alternatives(kernel::all(formulas))) {
     std::vector<Theorem> literals;
-    for (const Formula& literal : one) {
-      literals.push_back(Theorem::assume(literal));
-    }
+    std::ranges::transform(one, std::back_inserter(literals), Theorem::assume);
     const std::optional<Theorem> excluded = absurd(literals);
     Theorem implied = excluded ? *excluded : derive(literals);
     for (const Formula& literal : one) {

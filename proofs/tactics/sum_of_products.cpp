@@ -21,12 +21,9 @@ int sum_of(const Degrees& degrees) {
   return std::accumulate(degrees.begin(), degrees.end(), 0);
 }
 
-int degree_of(const Polynomial& value) {
-  int result = 0;
-  for (const Monomial& one : monomials(value)) {
-    result = std::max(result, sum_of(one.degrees));
-  }
-  return result;
+int degree_of(const Polynomial& value) {  // 0 of 0
+  const slong degree = fmpq_mpoly_total_degree_si(value.raw(), value.ring().context());
+  return std::max(0, static_cast<int>(degree));
 }
 
 Polynomial times(Polynomial a, const Polynomial& b) {
