@@ -119,16 +119,12 @@ bool says_the_same(const Subject& subject, std::size_t which, const Statement& s
          (same(derivation, statement.left, printed.left) && same(derivation, statement.right, printed.right));
 }
 
-bool is_printed_too(const Subject& subject, const Statement& statement) {
-  return std::ranges::any_of(subject.form(),
-                             [&](const Statement& printed) { return equal(printed, statement); });
-}
-
 Judgement judge_proved(const Subject& subject, std::size_t which, const Statement& statement) {
   if (subject.contradicted(statement)) {
     return {Fate::survived, "proved, although " + std::string(fails_there)};
   }
-  if (is_printed_too(subject, statement)) {
+  if (std::ranges::any_of(subject.form(),
+                          [&](const Statement& printed) { return equal(printed, statement); })) {
     return {Fate::equivalent, "the claim prints it, too"};
   }
   if (says_the_same(subject, which, statement)) {
@@ -208,8 +204,8 @@ void add_subject(Gate& gate, const Subject& subject) {
   });
 }
 
-Outcome outcome_on(Prover& prover, const Claim& claim, const Statement& statement) {
-  return claim.prove(prover, saying(claim, {statement}));
+Outcome outcome_on(Prover& prover, const Claim& claim, const std::vector<Statement>& statements) {
+  return claim.prove(prover, saying(claim, statements));
 }
 
 // Whether the proof has refuted an edited statement by the theorem that refutes the printed one: it does not
@@ -286,7 +282,7 @@ void repair(Prover& prover, Record& record) {
   std::vector<Statement> corrected;
   for (const Statement& statement : record.claim.printed) {
     if (record.claim.printed.size() > 1 &&
-        outcome_on(prover, record.claim, statement).verdict.truth == Truth::proved) {
+        outcome_on(prover, record.claim, {statement}).verdict.truth == Truth::proved) {
       corrected.push_back(statement);
       continue;
     }
@@ -298,8 +294,7 @@ void repair(Prover& prover, Record& record) {
     record.repairs.insert(record.repairs.end(), found.begin(), found.end());
   }
   record.claim.corrected = corrected;
-  const Claim reading = saying(record.claim, corrected);
-  record.corrected = reading.prove(prover, reading);
+  record.corrected = outcome_on(prover, record.claim, corrected);
 }
 
 }  // namespace stickslip::proofs::checks

@@ -428,14 +428,9 @@ Outcome first_that_proves(Prover& prover, const Claim& claim) {
 // fails.
 void look_for_point(Outcome& outcome, Prover& prover, const Claim& claim) {
   const bool proved = outcome.verdict.truth == Truth::proved;
-  std::vector<std::optional<Statement>> places;
-  if (!proved) {
-    places.emplace_back();
-  }
-  for (const Hypothesis& one : outcome.hypotheses) {
-    if (proved) {
-      places.emplace_back(symbols::equation(one.nonzero, 0));
-    }
+  std::vector<std::optional<Statement>> places(proved ? 0 : 1);
+  for (const Hypothesis& one : proved ? outcome.hypotheses : std::vector<Hypothesis>{}) {
+    places.emplace_back(symbols::equation(one.nonzero, 0));
   }
   for (const std::optional<Statement>& place : places) {
     for (const Statement& printed : claim.printed) {
