@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <random>
-#include <set>
 
 #include "proofs/methods/assumptions.hpp"
 #include "proofs/methods/derivation.hpp"
@@ -57,10 +56,10 @@ class Draw {
     static const std::array<Rational, 14> small{
         Rational(0),     Rational(1),    Rational(-1),    Rational(1, 2),  Rational(2),
         Rational(3, 5),  Rational(4, 5), Rational(-3, 5), Rational(5, 13), Rational(12, 13),
+        Rational(-1, 2), Rational(3),    Rational(-2),    Rational(1, 3)};
     const auto any_small = [this] {
       return small[static_cast<std::size_t>(below(static_cast<int>(small.size())))];
     };
-        Rational(-1, 2), Rational(3),    Rational(-2),    Rational(1, 3)};
     const Bounds bounds = bounds_of(name);
     if (bounds.lower && bounds.upper) {
       return *bounds.lower + ratio(below(19) + 1, 20) * (*bounds.upper - *bounds.lower);

@@ -1,7 +1,6 @@
 // Terms as LaTeX and as plain text: one walk over the tree, two vocabularies.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "proofs/symbols/term.hpp"

@@ -6,7 +6,6 @@
 #include <limits>
 #include <random>
 #include <set>
-#include <utility>
 
 #include "proofs/tactics/algebraic_numbers.hpp"
 #include "proofs/tactics/closed.hpp"

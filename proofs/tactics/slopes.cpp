@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/text.hpp"

@@ -4,12 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstring>
-#include <functional>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <sstream>
 
