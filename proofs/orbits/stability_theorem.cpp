@@ -207,21 +207,16 @@ class Multipliers {
     if (sticks(k)) {
       return lambda(t, as_term(model::Gamma<Symbolic>(Term(q_.data.chi), Symbolic(t))));
     }
-    std::vector<Symbolic> entries(matrix_rows * matrix_rows);
+    model::Matrix4<Symbolic> entries;
     for (std::size_t j = 0; j < 2; ++j) {
       const Symbolic angle = omega_[j] * Symbolic(t), c = cos(angle), s = sin(angle);
       const auto x = mode(j, c, s), v = mode(j, -(omega_[j] * s), omega_[j] * c);
-      for (std::size_t i = 0; i < matrix_rows; ++i) {
-        entries[i] += x[i];
-        entries[4 + i] += lambda_[j] * x[i];
-        entries[8 + i] += v[i];
-        entries[12 + i] += lambda_[j] * v[i];
+      for (int i = 0; i < matrix_rows; ++i) {
+        const Symbolic &place = x.at(static_cast<std::size_t>(i)), &speed = v.at(static_cast<std::size_t>(i));
+        entries.col(i) += model::Vector4<Symbolic>{place, lambda_[j] * place, speed, lambda_[j] * speed};
       }
     }
-    std::vector<Term> terms;
-    std::transform(entries.begin(), entries.end(), std::back_inserter(terms),
-                   [](const Symbolic& one) { return one.term; });
-    return lambda(t, matrix(matrix_rows, matrix_rows, terms));
+    return lambda(t, as_term(entries));
   }
 
   [[nodiscard]] Theorem vanishes(std::size_t i) const { return Theorem::assume(equal(system_.at(i), 0)); }
