@@ -95,12 +95,16 @@ std::string Script::consequence(const Theorem& theorem, const Scope& scope) {
     statement += shape(premise.conclusion(), letters) + " -> ";
   }
   statement += shape(theorem.conclusion(), letters);
+  std::map<std::string, Formula> atoms;
+  for (const auto& [formula, letter] : letters) {
+    atoms.emplace(letter, formula);
+  }
+  std::vector<std::string> names;
+  for (const auto& [letter, formula] : atoms) {
+    names.push_back(letter);
+  }
   auto known = library_.tautologies.find(statement);
   if (known == library_.tautologies.end() || is_slow(known->second.file)) {
-    std::vector<std::string> names;
-    std::transform(letters.begin(), letters.end(), std::back_inserter(names),
-                   [](const auto& letter) { return letter.second; });
-    std::sort(names.begin(), names.end());
     const std::string name = fresh(file_ + "_truth"), all = fmt::format("{}", fmt::join(names, " "));
     std::string numbered, said;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -116,19 +120,10 @@ std::string Script::consequence(const Theorem& theorem, const Scope& scope) {
     known = library_.tautologies.insert_or_assign(statement, Lemma{.file = file_, .name = name, .stated = {}})
                 .first;
   }
-  // Its letters by number.
-  std::map<std::string, Formula> atoms;
-  for (const auto& [formula, letter] : letters) {
-    atoms.emplace(letter, formula);
-  }
-  std::vector<std::string> order;
-  for (const auto& [letter, formula] : atoms) {
-    order.push_back(letter);
-  }
   std::string call = imported(known->second).name;
   constexpr std::size_t is_long = 100;  // what is said there Coq finds in the premises and in the goal
-  for (const std::string& letter : order) {
-    const std::string atom = coq(atoms.at(letter));
+  for (const auto& [letter, formula] : atoms) {
+    const std::string atom = coq(formula);
     call += " " + (atom.size() < is_long ? atom : "_");
   }
   for (const Theorem& premise : step.premises) {

@@ -8,6 +8,7 @@
 
 #include "proofs/certificates/coq_terms.hpp"
 #include "proofs/certificates/script.hpp"
+#include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::certificates {
 
@@ -29,11 +30,6 @@ std::string in_lines(const std::string& text) {
     line += " " + word;
   }
   return result + " *)\n";
-}
-
-bool uses(const Term& term, const Definition& definition) {
-  return (term.kind() == Kind::defined && term.definition() == definition) ||
-         std::ranges::any_of(term.parts(), [&](const Term& part) { return uses(part, definition); });
 }
 
 const char * const how_to_read =
@@ -116,11 +112,9 @@ std::string statements_file(const Records& records, const std::vector<Definition
     }
   }
   std::string names;
-  for (auto one = short_names.rbegin(); one != short_names.rend(); ++one) {  // later ones use earlier ones
-    if (std::ranges::any_of(said, [&](const Formula& formula) { return uses(formula, *one); })) {
-      names.insert(0, "\n" + coq_definition(*one));
-      said.push_back(one->body());
-    }
+  const Definitions used = tactics::definitions_in(said);
+  for (const Definition& one : short_names) {
+    names += used.contains(one) ? "\n" + coq_definition(one) : "";
   }
   std::string definitions;
   for (const Definition& one : definitions_of(records)) {
