@@ -16,41 +16,40 @@ using Proofs = std::map<std::string, methods::Proof>;
 
 // What GiNaC derives; what the program computes with and what the proofs of orbits solve, against the paper.
 [[nodiscard]] Proofs derived_forms();
-[[nodiscard]] Proofs computed_coefficients();
 [[nodiscard]] Proofs reduced();
 
 // Units of time; frequencies in place of chi and eta.
 [[nodiscard]] Proofs quantities();
 [[nodiscard]] Proofs frequencies();
 
-// The data of Fig. 2: what they allow, what is printed for them against all orbits, where the determinant of
-// (16) vanishes at them. Those of Fig. 4.
+// The data of Fig. 2: what they and the printed values allow, what is printed for them against all orbits,
+// where the determinant of (16) vanishes at them. Those of Fig. 4.
 [[nodiscard]] Proofs data_of_S();
-[[nodiscard]] Proofs friction_of_S();
-[[nodiscard]] Proofs printed_orbits_of_S();
-[[nodiscard]] Proofs printed_values_of_S();
+[[nodiscard]] Proofs against_the_list_of_S();
 [[nodiscard]] Proofs zeros_of_16_at_S();
 [[nodiscard]] Proofs data_of_P();
+// Of Fig. 3: the printed values in (21)-(23); at its data: a zero of (23) that is no orbit.
+[[nodiscard]] Proofs numbers_of_O();
+[[nodiscard]] Proofs spurious_zero();
 
 // Resonances, where omega_1 or omega_2 is a multiple of omega; slips on a belt that moves.
-[[nodiscard]] Proofs odd_resonance();
-[[nodiscard]] Proofs even_resonance();
+[[nodiscard]] Proofs resonances();
 [[nodiscard]] Proofs moving_belt();
 [[nodiscard]] Proofs longer_slip();
 // What the abstract, Section 6 and the conclusion assert about orbits; "V.motion".
 [[nodiscard]] Proofs cycles();
 
-// The printed values of an example's orbit; what its values were computed from, and all else of the orbit.
+// The printed values of an example's orbit; what its values were computed from, and all else of the orbit. Of
+// O what they were computed from is told last.
 [[nodiscard]] std::vector<methods::Claim> values_of_S();
 [[nodiscard]] std::vector<methods::Claim> orbit_of_S();
 [[nodiscard]] std::vector<methods::Claim> values_of_P();
 [[nodiscard]] std::vector<methods::Claim> orbit_of_P();
+[[nodiscard]] std::vector<methods::Claim> orbit_of_O();
+[[nodiscard]] std::vector<methods::Claim> origins_of_O();
 // "S.attractors", …: what motions from random starts end on, and whether most of all on the figure's orbit,
 // or none: a check.
 [[nodiscard]] std::vector<methods::Claim> attractors();
-// Of Fig. 3 all of it; at its data: a zero of (23) that is no orbit.
-[[nodiscard]] std::vector<methods::Claim> example_O();
-[[nodiscard]] methods::Claim spurious_zero();
 
 // Names for what is long in many statements, for certificates and their readers.
 // Unit matrices and E; the matrices of X' = A X + … in slip and stick; and that a motion X obeys (2) with

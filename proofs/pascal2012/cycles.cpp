@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "numeric/orbits.hpp"
 #include "proofs/methods/methods.hpp"
@@ -26,13 +25,11 @@ namespace {
 // "Such orbits exist": the example of the paper is one.
 Proof exists(const std::string& example) {
   return [=](Prover& prover, const Claim&) {
-    const std::string orbit = example + ".orbit";
-    Outcome outcome = at_the_data(
+    Outcome outcome = of_its_orbit(
         example_named(example), "the orbit of the example, with every condition along the motion, in balls");
-    outcome.uses = {orbit};
     outcome.verdict = printed_orbit(example_named(example)).admissible;
     if (outcome.verdict.truth == Truth::proved) {
-      outcome.theorems = prover.prove(orbit).outcome.theorems;
+      outcome.theorems = prover.prove(orbit_claim(example_named(example))).outcome.theorems;
       outcome.by_kernel = !outcome.theorems.empty();
     }
     return outcome;
@@ -57,10 +54,8 @@ kernel::Theorem of_moving_belt(
 }
 
 Outcome only_at_rest(Prover&, const Claim&) {
-  Outcome outcome = at_the_data(on_a_moving_belt(), {});
-  const std::vector<Coordinate> point = std::exchange(outcome.at, {});
-  outcome.uses = {"28.reduced"};
-  outcome.verdict = differs_at(point, Ball(on_a_moving_belt().data.V), Ball(0),
+  Outcome outcome{.uses = {"28.reduced"}};
+  outcome.verdict = differs_at(data_of(on_a_moving_belt()), Ball(on_a_moving_belt().data.V), Ball(0),
                                "the velocity of the belt, $V$,", "what the paper asks for");
   prove(outcome, [] { return of_moving_belt(orbits::stability_theorem); });
   if (outcome.by_kernel) {
@@ -75,9 +70,8 @@ Outcome only_at_rest(Prover&, const Claim&) {
 
 // The title: limit cycles.
 Outcome isolated(Prover& prover, const Claim&) {
-  Outcome outcome;
-  outcome.route = "each orbit is the only one in a box, by Krawczyk's test";
-  outcome.verdict = Verdict::proved();
+  Outcome outcome{.verdict = Verdict::proved(),
+                  .route = "each orbit is the only one in a box, by Krawczyk's test"};
   for (const char * name : {"S", "O", "P"}) {
     const std::string orbit = name + std::string(".orbit");
     outcome.uses.insert(orbit);
@@ -93,10 +87,9 @@ Outcome isolated(Prover& prover, const Claim&) {
 
 // Among all motions of the load's period: a family of them through the orbit would have a multiplier 1.
 Outcome isolated_among_all(Prover&, const Claim&) {
-  Outcome outcome;
-  outcome.route =
-      "the multipliers in balls; the phases of motions nearby are the same, as the conditions of (4) hold "
-      "strictly";
+  Outcome outcome{.route =
+                      "the multipliers in balls; the phases of motions nearby are the same, as the "
+                      "conditions of (4) hold strictly"};
   std::vector<Verdict> each;
   for (const char * name : {"S", "O", "P"}) {
     outcome.uses.insert(name + std::string(".stability"));

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
+#include "core/printed.hpp"
+#include "numeric/families/overshooting.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
@@ -199,6 +202,34 @@ Theorem incompatible(const orbits::Ranges& ranges) {
       orbits::settled(orbits::sign_by_parts(substitute(differ(sum.determinant(), 0), values), all), letters);
   return Theorem::cut(Theorem::convert(other, substitute(differs, values), names),
                       Theorem::instantiate(excluded, values));
+}
+
+PrintedClosing printed_closing_overshooting(const numeric::motion::ExactParameters& a, const Rational& phi,
+                                            const std::array<Decimal, 5>& printed) {
+  using namespace numeric::motion;
+  using numeric::zeros::Box;
+  require_stick_slip_domain(a);
+  const model::Oscillator<Ball> o = model::oscillator<Ball>(parameters_as<Ball>(a));
+  const auto residuals = [&](const auto& number) -> Box<5> {
+    Box<5> x;
+    std::transform(printed.begin(), printed.end(), x.begin(), number);
+    const Ball rest = Ball(2) * Ball::pi() / o.data.omega - x(0) - x(1);
+    const Motion m =
+        compose(o, Ball(phi), {x(2), x(3), x(4), o.data.V},
+                {{PhaseKind::slip, x(0)}, {PhaseKind::overshoot, x(1)}, {PhaseKind::stick, rest}});
+    const Phase& stick = m.phases[2];
+    const model::Vector4<Ball> Z = flow<Ball>(o, stick.kind, stick.load, stick.Z, stick.duration);
+    const Ball& V = o.data.V;  // a stick keeps z2' as it is
+    return (Box<5>() << m.phases[1].Z(3) - V, Z(0) - x(2), Z(1) - x(3), Z(2) - x(4), stick.Z(3) - V)
+        .finished();
+  };
+  PrintedClosing result{residuals([](const Decimal& decimal) { return Ball(decimal.value); }),
+                        residuals(printed_interval),
+                        Verdict::undecided("every closing condition may hold somewhere in the intervals")};
+  if (std::ranges::any_of(result.at_intervals, [](const Ball& residual) { return residual.is_nonzero(); })) {
+    result.verdict = Verdict::refuted("a closing condition holds nowhere in the printed intervals");
+  }
+  return result;
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -6,13 +6,13 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "core/printed.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/tactics/tactics.hpp"
+#include "symbolic/typeset/names.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 
@@ -20,6 +20,150 @@ using namespace numeric;
 using namespace numeric::motion;
 using namespace numeric::simulation;
 using namespace methods;
+
+Decimal as_printed(const PrintedResult& result, const Ball& value) {
+  Decimal decimal = result.value;
+  if (result.sign_lost && value.is_negative()) {
+    decimal.value = -decimal.value;
+    decimal.text = "-" + decimal.text;
+  }
+  return decimal;
+}
+
+Comparison compared(const std::string& name, const Decimal& printed, const Ball& value) {
+  const PrintedComparison comparison = compare_printed(name, printed, value);
+  return {name,
+          symbolic::typeset::latex_name(name),
+          printed.text,
+          comparison.value,
+          comparison.units,
+          comparison.verdict};
+}
+
+Outcome at_the_data(const Example& example, const std::string& route) {
+  return {.route = route, .at = data_of(example)};
+}
+
+Verdict differs_at(const std::vector<Coordinate>& data, const Ball& left, const Ball& right,
+                   const std::string& left_name, const std::string& right_name) {
+  return Verdict::refuted(Witness{data, {}, left, right, left_name, right_name});
+}
+
+std::string orbit_claim(const Example& example) {
+  return example.name + ".orbit";
+}
+
+Outcome of_its_orbit(const Example& example, const std::string& route) {
+  return {.route = route, .uses = {orbit_claim(example)}, .at = data_of(example)};
+}
+
+void prove(Outcome& outcome, const std::function<kernel::Theorem()>& theorem) {
+  if (!outcome.verdict.is_decided()) {
+    return;
+  }
+  try {
+    outcome.theorems = {theorem()};
+    outcome.by_kernel = true;
+  } catch (const kernel::KernelError& error) {
+    outcome.verdict = Verdict::undecided(error.what());
+  }
+}
+
+std::vector<Coordinate> coordinates(const ExactParameters& a, const Rational& ur) {
+  return {{"chi", a.chi}, {"eta", a.eta},     {"us", a.us}, {"ur", ur},
+          {"V", a.V},     {"omega", a.omega}, {"p", a.p}};
+}
+
+Outcome proved_by(Outcome outcome, const std::set<std::string>& uses,
+                  const std::function<kernel::Theorem()>& theorem) {
+  outcome.uses = uses;
+  outcome.verdict = Verdict::proved();
+  prove(outcome, theorem);
+  return outcome;
+}
+
+void prove_of_orbit(
+    Outcome& outcome, Prover& prover, const Example& example,
+    const std::function<kernel::Theorem(const kernel::Theorem&, const orbits::Question&)>& theorem) {
+  const std::vector<kernel::Theorem>& orbit = prover.prove(orbit_claim(example)).outcome.theorems;
+  if (!orbit.empty()) {
+    prove(outcome, [&] {
+      return theorem(orbit.front(), orbits::question_of(question_of(example), printed_orbit(example).motion));
+    });
+  }
+}
+
+namespace {
+
+Claim printed_value(const Example& example, const std::string& route, const std::string& name) {
+  const PrintedResult& result = example.result(name);
+  return {.id = example.name + "." + name,
+          .kind = Kind::numbers,
+          .words = fmt::format("${} = {}${}", name, result.value.text,
+                               result.sign_lost ? " up to its sign, which is not legible in the source" : ""),
+          .prove = [&example, &result, route, name](Prover& prover, const Claim&) {
+            const Ball proved = printed_orbit(example).value(name);
+            const Decimal printed = as_printed(result, proved);
+            Outcome outcome = of_its_orbit(example, route);
+            outcome.comparisons = {compared(name, printed, proved)};
+            outcome.verdict = outcome.comparisons.front().verdict;
+            prove_of_orbit(outcome, prover, example,
+                           [&](const kernel::Theorem& orbit, const orbits::Question& q) {
+                             return orbits::value_theorem(orbit, q, name, printed.lower(), printed.upper(),
+                                                          outcome.verdict.truth == Truth::refuted);
+                           });
+            return outcome;
+          }};
+}
+
+// That the printed orbit exists, as a theorem.
+Claim existence_claim(const Example& example, const std::string& words) {
+  return {
+      .id = orbit_claim(example),
+      .kind = Kind::numbers,
+      .words = words,
+      .prove =
+          [&example](Prover&, const Claim&) {
+            Outcome outcome = at_the_data(
+                example,
+                "the phases in closed form, their equations at the ends by Krawczyk's test, the inequalities "
+                "between the ends by signs in balls, and by mean values where the two sides meet");
+            try {
+              const Motion& motion = printed_orbit(example).motion;
+              const orbits::Question question = orbits::question_of(question_of(example), motion);
+              outcome.theorems = {orbits::orbit_theorem(question, motion),
+                                  orbits::locally_unique(question, motion)};
+              outcome.by_kernel = true;
+              outcome.verdict = Verdict::proved();
+            } catch (const kernel::KernelError& error) {
+              outcome.verdict = Verdict::undecided(error.what());
+            }
+            return outcome;
+          },
+      .parts = {words,
+                "the equations by which phases in closed form fit together, a characteristic polynomial "
+                "for both frequencies among them, have exactly one solution in a box about that of the "
+                "orbit"}};
+}
+
+}  // namespace
+
+std::vector<Claim> printed_values(const Example& example, const std::string& words, const std::string& route,
+                                  const std::vector<std::string>& names) {
+  std::vector<Claim> claims{existence_claim(example, words)};
+  for (const std::string& name : names) {
+    claims.push_back(printed_value(example, route, name));
+  }
+  return claims;
+}
+
+std::string residuals(const std::vector<Ball>& values) {
+  std::vector<std::string> shown;
+  for (const Ball& value : values) {
+    shown.push_back(to_text(value, 3).mid);
+  }
+  return fmt::format("{}", fmt::join(shown, ", "));
+}
 
 namespace {
 
@@ -53,14 +197,14 @@ Claim list_claim(const Example& example, const ListTheorem& theorem) {
                 fmt::format(
                     "exhaustive search in balls: {} orbits, {} of them admissible, {} boxes unresolved",
                     list.orbits.size(), good, list.unresolved.size()));
-            outcome.verdict =
-                list.complete()
-                    ? Verdict::proved()
-                    : Verdict::undecided(fmt::format("{} boxes are unresolved", list.unresolved.size()));
-            if (list.complete()) {
-              outcome.found = what_is_listed(list);
+            if (!list.complete()) {
+              outcome.verdict =
+                  Verdict::undecided(fmt::format("{} boxes are unresolved", list.unresolved.size()));
+              return outcome;
             }
-            if (theorem.prove && list.complete()) {
+            outcome.verdict = Verdict::proved();
+            outcome.found = what_is_listed(list);
+            if (theorem.prove) {
               outcome.uses = theorem.uses;
               prove(outcome, [&] { return theorem.prove(list); });
             }
@@ -214,35 +358,6 @@ std::string digits_of(const Ball& ball) {
   return known ? cut.text + "..." : shown(ball);
 }
 
-Claim existence_claim(const Example& example, const std::string& words) {
-  return {
-      .id = orbit_claim(example),
-      .kind = Kind::numbers,
-      .words = words,
-      .prove =
-          [&example](Prover&, const Claim&) {
-            Outcome outcome = at_the_data(
-                example,
-                "the phases in closed form, their equations at the ends by Krawczyk's test, the inequalities "
-                "between the ends by signs in balls, and by mean values where the two sides meet");
-            try {
-              const Motion& motion = printed_orbit(example).motion;
-              const orbits::Question question = orbits::question_of(question_of(example), motion);
-              outcome.theorems = {orbits::orbit_theorem(question, motion),
-                                  orbits::locally_unique(question, motion)};
-              outcome.by_kernel = true;
-              outcome.verdict = Verdict::proved();
-            } catch (const kernel::KernelError& error) {
-              outcome.verdict = Verdict::undecided(error.what());
-            }
-            return outcome;
-          },
-      .parts = {words,
-                "the equations by which phases in closed form fit together, a characteristic polynomial "
-                "for both frequencies among them, have exactly one solution in a box about that of the "
-                "orbit"}};
-}
-
 namespace {
 
 // Far below what the printed decimals leave open, and no single machine any more.
@@ -331,9 +446,7 @@ Claim computed_from(const Example& example, const std::string& name, const std::
             Outcome outcome = at_the_data(example, formula + " at the printed decimals, in balls");
             outcome.comparisons = {compared(name, printed, computed)};
             outcome.verdict = outcome.comparisons.front().verdict;
-            if (const Verdict& verdict = outcome.verdict; verdict.is_decided()) {
-              prove(outcome, [&] { return theorem(printed, verdict.truth == Truth::proved); });
-            }
+            prove(outcome, [&] { return theorem(printed, outcome.verdict.truth == Truth::proved); });
             return outcome;
           }};
 }

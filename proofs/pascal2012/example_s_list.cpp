@@ -1,5 +1,6 @@
 // Section 4, example S: the list of all solutions of the reduced equations, and the u_r that is printed among
-// the data of Fig. 2 against it.
+// the data of Fig. 2 against it; and that no orbit of its family has the tau or the u_r of Fig. 2, whatever
+// its other values, as its state solves the reduced equations.
 
 #include <algorithm>
 
@@ -10,7 +11,6 @@
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/pascal2012/symmetric_list.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
@@ -18,6 +18,19 @@ namespace stickslip::proofs::pascal2012 {
 
 using namespace numeric;
 using namespace methods;
+using kernel::Formula;
+using kernel::Term;
+using kernel::Theorem;
+using kernel::Variable;
+
+Ball lag_of(const Orbit& orbit) {
+  return (Ball::pi() - Ball(example_named("S").data.omega) * orbit.tau()) / 2;
+}
+
+bool has_the_other_phase(const Orbit& orbit) {
+  const Ball later = orbit.phi() - lag_of(orbit);
+  return (later - Ball::pi()).contains_zero() || (later + Ball::pi()).contains_zero();
+}
 
 namespace {
 
@@ -26,9 +39,9 @@ const Example& printed() {
 }
 
 // The one of both inequalities that holds.
-kernel::Theorem decided_one_of(const kernel::Formula& either, const orbits::Ranges& ranges) {
-  const auto decided = tactics::first_that_works(either.parts(), [&](const kernel::Formula& relation) {
-    return kernel::Theorem::sign(relation, orbits::ranges_in(relation, ranges));
+Theorem decided_one_of(const Formula& either, const orbits::Ranges& ranges) {
+  const auto decided = tactics::first_that_works(either.parts(), [&](const Formula& relation) {
+    return Theorem::sign(relation, orbits::ranges_in(relation, ranges));
   });
   if (!decided) {
     throw kernel::KernelError("some orbit may have this value");
@@ -36,27 +49,27 @@ kernel::Theorem decided_one_of(const kernel::Formula& either, const orbits::Rang
   return *decided;
 }
 
-}  // namespace
-
+// Of numbers near tau of the orbits of Fig. 2, those of one phase of the load.
 std::vector<Rational> slips_at(const OrbitList& list, int phase) {
   std::vector<Rational> result;
   for (const Orbit& orbit : list.orbits) {
-    const Ball later =
-        orbit.value("phi") - (Ball::pi() - Ball(printed().data.omega) * orbit.value("tau")) / 2;
-    if (later.is_positive() == (phase < 0)) {
-      result.push_back(orbits::near(orbit.value("tau")));
+    if (has_the_other_phase(orbit) == (phase < 0)) {
+      result.push_back(orbits::near(orbit.tau()));
     }
   }
   return result;
 }
 
-kernel::Formula is_not_printed(const char * name, const kernel::Term& value) {
+// The value is not in the interval that the printed result of Fig. 2 stands for.
+Formula is_not_printed(const char * name, const Term& value) {
   const Decimal given = printed().result(name).value;
   return kernel::any({kernel::less(value, given.lower()), kernel::less(given.upper(), value)});
 }
 
-kernel::Theorem at_all_solutions(const SymmetricEquations& e, const SymmetricList& list,
-                                 const kernel::Formula& goal, const orbits::Ranges& frequencies) {
+// From the list: for all 0 < tau < Theta and all C that solve the equations one of the two inequalities of
+// the goal holds, as it does at each solution. Throws KernelError where neither is decided at one of them.
+Theorem at_all_solutions(const SymmetricEquations& e, const SymmetricList& list, const Formula& goal,
+                         const orbits::Ranges& frequencies) {
   using namespace kernel;
   return orbits::of_orbit(list.theorem, [&](const Theorem& known) {
     const Formula during = between(0, e.tau, e.Theta);
@@ -96,15 +109,13 @@ kernel::Theorem at_all_solutions(const SymmetricEquations& e, const SymmetricLis
   });
 }
 
-namespace {
-
 // At both phases of the load.
-kernel::Theorem at_both(const OrbitList& list,
-                        const std::function<kernel::Theorem(const SymmetricEquations&, const SymmetricList&,
-                                                            int, const orbits::Ranges&)>& theorem) {
+Theorem at_both(const OrbitList& list,
+                const std::function<Theorem(const SymmetricEquations&, const SymmetricList&, int,
+                                            const orbits::Ranges&)>& theorem) {
   return at_frequencies(printed().data.chi, printed().data.eta, [&](const orbits::Ranges& ranges) {
     const SymmetricEquations equations(printed());
-    std::vector<kernel::Theorem> parts;
+    std::vector<Theorem> parts;
     for (const int phase : {1, -1}) {
       const SymmetricList found = symmetric_list(equations, printed(), phase, ranges, slips_at(list, phase));
       parts.push_back(theorem(equations, found, phase, ranges));
@@ -139,34 +150,6 @@ Outcome friction_is_no_datum(Prover&, const Claim&) {
   });
   return outcome;
 }
-
-}  // namespace
-
-Proofs friction_of_S() {
-  return {{"S.data", friction_is_no_datum}};
-}
-
-ListTheorem list_of_S() {
-  return {[](const OrbitList& list) {
-            return at_both(list, [](const auto&, const SymmetricList& found, auto, const auto&) {
-              return found.theorem;
-            });
-          },
-          {"16.reduced", "16.reduced.converse", "15.reduced", "15.reduced.converse"},
-          "for each of both phases of the load the two reduced equations (16.reduced) have exactly two "
-          "solutions $tau$, $C$ with $0 < tau < Theta$, at frequencies that give the $chi$ and $eta$ of "
-          "Fig. 2"};
-}
-
-// Section 4, example S: no orbit of its family has the tau or the u_r of Fig. 2, whatever its other values,
-// as its state solves the reduced equations, of which all solutions are known.
-
-namespace {
-
-using kernel::Formula;
-using kernel::Term;
-using kernel::Theorem;
-using kernel::Variable;
 
 // What 16.halves says of a motion, at the data of Fig. 2 and with the time lag. Its hypotheses are what that
 // claim supposes, and that chi is that of the data. In letters for omega and Theta: as numbers they would
@@ -324,8 +307,22 @@ Proof no_orbit_has(const char * name) {
 
 }  // namespace
 
-Proofs printed_orbits_of_S() {
-  return {{"S.none.tau", no_orbit_has("tau")}, {"S.none.ur", no_orbit_has("ur")}};
+ListTheorem list_of_S() {
+  return {[](const OrbitList& list) {
+            return at_both(list, [](const auto&, const SymmetricList& found, auto, const auto&) {
+              return found.theorem;
+            });
+          },
+          {"16.reduced", "16.reduced.converse", "15.reduced", "15.reduced.converse"},
+          "for each of both phases of the load the two reduced equations (16.reduced) have exactly two "
+          "solutions $tau$, $C$ with $0 < tau < Theta$, at frequencies that give the $chi$ and $eta$ of "
+          "Fig. 2"};
+}
+
+Proofs against_the_list_of_S() {
+  return {{"S.data", friction_is_no_datum},
+          {"S.none.tau", no_orbit_has("tau")},
+          {"S.none.ur", no_orbit_has("ur")}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -1,7 +1,6 @@
 // (39) has solutions for all 0 < chi < 1 and eta > 0: what is proved for all 0 < omega_1 < 1 < omega_2 is
 // proved for all of them.
 #include <algorithm>
-#include "proofs/pascal2012/printed_example.hpp"
 
 #include "proofs/kernel/theorem.hpp"
 #include "proofs/methods/derivation.hpp"
@@ -10,6 +9,7 @@
 #include "proofs/methods/reading.hpp"
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/pascal2012/claims.hpp"
+#include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/tactics.hpp"
 

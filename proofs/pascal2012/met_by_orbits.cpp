@@ -18,22 +18,26 @@ using namespace methods;
 
 namespace {
 
-Claim claim_of(const std::string& id, const Met& met) {
+Claim claim_of(const std::string& id, const std::string& what, const std::vector<std::string>& ids,
+               const Proof& prove) {
   return {.id = id,
           .kind = methods::Kind::numbers,
           .origin = Origin::auxiliary,
-          .words = "the orbit of " + example_of(met).figure +
-                   ", as one motion, obeys all at once that these claims assume, which are of something: " +
-                   fmt::format("{}", fmt::join(met.ids, ", ")),
-          .prove =
-              [met](Prover& prover, const Claim&) {
-                std::set<std::string> uses(met.premises.begin(), met.premises.end());
-                uses.insert(met.example + ".motion");
-                return proved_by(at_the_data(example_of(met),
-                                             "each assumption, from what " + met.example + ".motion says"),
-                                 uses, [&] { return met_theorem(prover, met); });
-              },
-          .meets = met.ids};
+          .words = fmt::format("{} obeys all at once that these claims assume, which are of something: {}",
+                               what, fmt::join(ids, ", ")),
+          .prove = prove,
+          .meets = ids};
+}
+
+Claim claim_of(const std::string& id, const Met& met) {
+  return claim_of(id, "the orbit of " + example_of(met).figure + ", as one motion,", met.ids,
+                  [met](Prover& prover, const Claim&) {
+                    std::set<std::string> uses(met.premises.begin(), met.premises.end());
+                    uses.insert(met.example + ".motion");
+                    return proved_by(at_the_data(example_of(met), "each assumption, from what " +
+                                                                      met.example + ".motion says"),
+                                     uses, [&] { return met_theorem(prover, met); });
+                  });
 }
 
 // The motion (34) of two slips of half a period each, under a load of any size and phase.
@@ -59,24 +63,17 @@ std::vector<symbols::Statement> half_periods() {
 // Where the motion has a closed form, no orbit is needed: values are given.
 Claim claim_of(const std::string& id, const std::string& words, const std::vector<std::string>& ids,
                const Scene& scene) {
-  return {.id = id,
-          .kind = methods::Kind::numbers,
-          .origin = Origin::auxiliary,
-          .words = words + " obeys all at once that these claims assume, which are of something: " +
-                   fmt::format("{}", fmt::join(ids, ", ")),
-          .prove =
-              [ids, scene](Prover& prover, const Claim&) {
-                return proved_by({.route = "values, and the motion in closed form"}, {}, [&] {
-                  std::vector<symbols::Statement> holding;
-                  for (const std::string& one : ids) {
-                    for (const Assumption& assumption : prover.claim(one).assumptions) {
-                      holding.push_back(assumption.statement);
-                    }
-                  }
-                  return refutation(prover, scene, holding, {});
-                });
-              },
-          .meets = ids};
+  return claim_of(id, words, ids, [ids, scene](Prover& prover, const Claim&) {
+    return proved_by({.route = "values, and the motion in closed form"}, {}, [&] {
+      std::vector<symbols::Statement> holding;
+      for (const std::string& one : ids) {
+        for (const Assumption& assumption : prover.claim(one).assumptions) {
+          holding.push_back(assumption.statement);
+        }
+      }
+      return refutation(prover, scene, holding, {});
+    });
+  });
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {

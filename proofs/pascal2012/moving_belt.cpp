@@ -10,7 +10,6 @@
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/claims.hpp"
 #include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/printed_example.hpp"
 
 namespace stickslip::proofs::pascal2012 {
 

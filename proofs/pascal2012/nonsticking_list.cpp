@@ -4,7 +4,6 @@
 #include "model/nonsticking.hpp"
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
-#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/tactics/closed.hpp"
 
 namespace stickslip::proofs::pascal2012 {

@@ -15,15 +15,15 @@ namespace {
 text::Programs programs() {
   text::Programs result{{{"values of S", values_of_S()},
                          {"orbit of S", orbit_of_S()},
-                         {"example O", example_O()},
+                         {"orbit of O", orbit_of_O()},
+                         {"origins of O", origins_of_O()},
                          {"values of P", values_of_P()},
                          {"orbit of P", orbit_of_P()},
                          {"attractors", attractors()},
                          {"met by orbits", met_by_orbits()}}};
-  for (Proofs some :
-       {derived_forms(), computed_coefficients(), reduced(), quantities(), frequencies(), data_of_S(),
-        friction_of_S(), printed_orbits_of_S(), printed_values_of_S(), zeros_of_16_at_S(), data_of_P(),
-        odd_resonance(), even_resonance(), moving_belt(), longer_slip(), cycles()}) {
+  for (Proofs some : {derived_forms(), reduced(), quantities(), frequencies(), data_of_S(),
+                      against_the_list_of_S(), zeros_of_16_at_S(), numbers_of_O(), spurious_zero(),
+                      data_of_P(), resonances(), moving_belt(), longer_slip(), cycles()}) {
     result.proofs.merge(some);
   }
   return result;

@@ -13,7 +13,7 @@
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/printed_example.hpp"
+#include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/closed.hpp"
 
@@ -164,20 +164,10 @@ Outcome not_always_symmetric(Prover& prover, const Claim&) {
                    [&] { return not_symmetric(prover.theorem("33.even.orbits")); });
 }
 
-}  // namespace
-
-Proofs even_resonance() {
-  return {{"33.even.orbits", family_of_orbits}, {"7.exception", not_always_symmetric}};
-}
-
 // Where a natural frequency is an odd multiple of the load's, no motion of two slips of half a period each
 // closes: half a period later the mode is the opposite one, and the friction has moved its place of rest.
 
-using kernel::Formula;
 using kernel::Theorem;
-
-namespace {
-
 using namespace symbols::vocabulary;
 
 const Term first_row = block(1, {1, 0}), second_row = block(1, {0, 1});
@@ -223,8 +213,10 @@ Theorem never_closes(Derivation& derivation, std::size_t) {
 
 }  // namespace
 
-Proofs odd_resonance() {
-  return {{"31.odd", by_kernel("31.modes and 31.rest, in each of both cases", never_closes)}};
+Proofs resonances() {
+  return {{"33.even.orbits", family_of_orbits},
+          {"7.exception", not_always_symmetric},
+          {"31.odd", by_kernel("31.modes and 31.rest, in each of both cases", never_closes)}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -8,7 +8,7 @@
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/printed_example.hpp"
+#include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/closed.hpp"
 
@@ -270,26 +270,20 @@ class Halved {
 
 }  // namespace
 
-Claim spurious_zero() {
-  return {.id = "23.spurious",
-          .kind = methods::Kind::numbers,
-          .origin = methods::Origin::new_result,
-          .words =
-              "at the data of Fig. 3 a solution of (23) with $tau$, $tau_1$, $T > 0$ exists at which (21) "
-              "has none: $Delta = 0$ there",
-          .prove = [](Prover&, const Claim&) {
-            return proved_by(
-                at_the_data(
-                    example(),
-                    "where the square in $Delta$ changes sign, and with $tau = tau_1$, the state of 22.null "
-                    "solves all of (21) without the $d_i$, so that $F_1 = F_2 = 0$; $Delta_2$ is not zero "
-                    "there"),
-                {}, [] {
-                  return at_frequencies(
-                      example().data.chi, example().data.eta,
-                      [](const orbits::Ranges& ranges) { return Halved(ranges).theorem(); });
-                });
-          }};
+Proofs spurious_zero() {
+  return {{"23.spurious", [](Prover&, const Claim&) {
+             return proved_by(
+                 at_the_data(
+                     example(),
+                     "where the square in $Delta$ changes sign, and with $tau = tau_1$, the state of 22.null "
+                     "solves all of (21) without the $d_i$, so that $F_1 = F_2 = 0$; $Delta_2$ is not zero "
+                     "there"),
+                 {}, [] {
+                   return at_frequencies(
+                       example().data.chi, example().data.eta,
+                       [](const orbits::Ranges& ranges) { return Halved(ranges).theorem(); });
+                 });
+           }}};
 }
 
 }  // namespace stickslip::proofs::pascal2012

@@ -32,15 +32,9 @@ struct SymmetricList {
                                            const orbits::Ranges& frequencies,
                                            const std::vector<Rational>& nearly);
 
-// Of numbers near tau of the orbits of Fig. 2, those of one phase of the load.
-[[nodiscard]] std::vector<Rational> slips_at(const numeric::OrbitList& list, int phase);
-// The value is not in the interval that the printed result of Fig. 2 stands for.
-[[nodiscard]] kernel::Formula is_not_printed(const char * name, const kernel::Term& value);
-// From the list: for all 0 < tau < Theta and all C that solve the equations one of the two inequalities of
-// the goal holds, as it does at each solution. Throws KernelError where neither is decided at one of them.
-[[nodiscard]] kernel::Theorem at_all_solutions(const SymmetricEquations& equations, const SymmetricList& list,
-                                               const kernel::Formula& goal,
-                                               const orbits::Ranges& frequencies);
+// Of an orbit of Fig. 2 the time lag, (pi - omega tau)/2; whether its phase is that and pi, and not that.
+[[nodiscard]] Ball lag_of(const numeric::Orbit& orbit);
+[[nodiscard]] bool has_the_other_phase(const numeric::Orbit& orbit);
 
 // The list of the orbits of Fig. 2.
 [[nodiscard]] ListTheorem list_of_S();

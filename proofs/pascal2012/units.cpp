@@ -2,7 +2,7 @@
 #include "proofs/methods/implications.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/printed_example.hpp"
+#include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::pascal2012 {
@@ -69,7 +69,6 @@ Theorem rates() {
   };
   const Term then = Term(Omega) * s;
   // d/ds (factor f(Omega s)) = factor Omega f'(Omega s).
-  // Of factor f(Omega s): factor Omega f'(Omega s).
   const auto by_chain_rule = [&](const Variable& f, const Variable& rate, const Term& factor) {
     const auto times = [&](const Term& term) { return factor == Term(1) ? term : factor * term; };
     const Theorem inner = Theorem::specialize(Theorem::assume(is_rate(f, rate)), then);

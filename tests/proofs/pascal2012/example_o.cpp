@@ -3,8 +3,8 @@
 #include "proofs/methods/motions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/example_o_closing.hpp"
+#include "proofs/pascal2012/example_orbit.hpp"
 #include "proofs/pascal2012/examples.hpp"
-#include "proofs/pascal2012/printed_example.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "tests/proofs/checks/decided.hpp"
 
