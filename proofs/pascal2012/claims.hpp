@@ -18,8 +18,7 @@ using Proofs = std::map<std::string, methods::Proof>;
 [[nodiscard]] Proofs derived_forms();
 [[nodiscard]] Proofs reduced();
 
-// Units of time; frequencies in place of chi and eta.
-[[nodiscard]] Proofs quantities();
+// Frequencies in place of chi and eta; units of time.
 [[nodiscard]] Proofs frequencies();
 
 // The data of Fig. 2: what they and the printed values allow, what is printed for them against all orbits,
@@ -34,7 +33,6 @@ using Proofs = std::map<std::string, methods::Proof>;
 
 // Resonances, where omega_1 or omega_2 is a multiple of omega; slips on a belt that moves.
 [[nodiscard]] Proofs resonances();
-[[nodiscard]] Proofs moving_belt();
 [[nodiscard]] Proofs longer_slip();
 // What the abstract, Section 6 and the conclusion assert about orbits; "V.motion".
 [[nodiscard]] Proofs cycles();

@@ -1,10 +1,12 @@
 // Section 6, example P: the orbit of Fig. 4, and the numbers that are printed for it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "core/error.hpp"
 #include "model/nonsticking.hpp"
+#include "numeric/branches/branches.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/families/nonsticking.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
@@ -103,10 +105,48 @@ Outcome more_than_36(Prover&, const Claim&) {
   return outcome;
 }
 
+// "stable for $V$ from 0 to 0.229523…".
+std::string followed(const numeric::branches::Branch& branch) {
+  using numeric::branches::State;
+  std::vector<std::string> pieces;
+  for (const numeric::branches::Piece& piece : branch.pieces) {
+    const bool holds = numeric::branches::is_admissible(piece.state);
+    pieces.push_back(
+        fmt::format("{} for $V$ from {} to {}",
+                    holds ? to_string(piece.state) : "no orbit, as " + piece.condition + " fails,",
+                    to_text(piece.first, 10).mid, to_text(piece.last, 10).mid));
+  }
+  return fmt::format("{}", fmt::join(pieces, "; "));
+}
+
+Outcome over_the_belts_speed(Prover&, const Claim&) {
+  Outcome outcome = at_the_data(example_named("P"), "all branches, of which every piece is proved in balls");
+  numeric::branches::BranchQuestion question{.orbits = question_of(example_named("P")),
+                                             .parameter = "V",
+                                             .from = 0,
+                                             .to = Rational(3, 10),
+                                             .at = {}};
+  question.orbits.ur = Range{Rational(1, 4)};
+  const numeric::branches::BranchList list = numeric::branches::list_branches(question);
+  const auto good = std::ranges::find_if(list.branches, [](const numeric::branches::Branch& one) {
+    return numeric::branches::is_admissible(one.pieces.front().state);
+  });
+  if (!list.complete || !list.resolved() || good == list.branches.end()) {
+    outcome.verdict = Verdict::undecided("not all orbits are known");
+    return outcome;
+  }
+  outcome.found = followed(*good);
+  outcome.verdict = Verdict::proved();
+  return outcome;
+}
+
 }  // namespace
 
 Proofs data_of_P() {
-  return {{"P.from.ur", friction}, {"P.least", least_load_of_figure}, {"37.least", more_than_36}};
+  return {{"P.from.ur", friction},
+          {"P.least", least_load_of_figure},
+          {"37.least", more_than_36},
+          {"P.belt", over_the_belts_speed}};
 }
 
 std::vector<Claim> values_of_P() {

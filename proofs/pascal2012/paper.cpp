@@ -21,9 +21,9 @@ text::Programs programs() {
                          {"orbit of P", orbit_of_P()},
                          {"attractors", attractors()},
                          {"met by orbits", met_by_orbits()}}};
-  for (Proofs some : {derived_forms(), reduced(), quantities(), frequencies(), data_of_S(),
-                      against_the_list_of_S(), zeros_of_16_at_S(), numbers_of_O(), spurious_zero(),
-                      data_of_P(), resonances(), moving_belt(), longer_slip(), cycles()}) {
+  for (Proofs some :
+       {derived_forms(), reduced(), frequencies(), data_of_S(), against_the_list_of_S(), zeros_of_16_at_S(),
+        numbers_of_O(), spurious_zero(), data_of_P(), resonances(), longer_slip(), cycles()}) {
     result.proofs.merge(some);
   }
   return result;

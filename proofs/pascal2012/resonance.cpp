@@ -1,6 +1,7 @@
 // Orbits that never stick and are not symmetric. Where the first natural frequency is twice the load's, x2'
 // of the first mode, epsilon cos(omega_1 t), vanishes at 0 and at tau = pi/omega, and the mode has the load's
-// period: it may be added to the motion of (33), as long as x2' keeps its sign on both slips.
+// period: it may be added to the motion of (33), as long as x2' keeps its sign on both slips. Other
+// resonances follow.
 
 #include <fmt/format.h>
 
@@ -31,16 +32,23 @@ const Rational largest_epsilon(1, 20);
 const kernel::Variable epsilon{"epsilon"};
 const Rational first_frequency(7, 10), second_frequency(13, 10);
 
-// With omega = omega_1/2, exactly.
 struct Data {
   ExactParameters a;
   Rational ur;
 };
+// With omega = omega_1/2, exactly.
 Data data() {
   return {{model::chi_from_frequencies<Rational>(first_frequency, second_frequency),
            model::eta_from_frequencies<Rational>(first_frequency, second_frequency), Rational(1, 10),
            Rational(0), first_frequency / 2, Rational(3)},
           Rational(3, 25)};
+}
+
+orbits::Question two_slips(const Data& data) {
+  return {.data = data.a,
+          .phases = {PhaseKind::slip, PhaseKind::overshoot},
+          .durations = {"tau", "tau1"},
+          .ur = data.ur};
 }
 
 Outcome at_the_data(const std::string& route) {
@@ -110,10 +118,7 @@ class WithMode {
            modes_.lambda2.term * omega2_ * rest_(1).term * tangent();
   }
 
-  orbits::Question question_{.data = data().a,
-                             .phases = {PhaseKind::slip, PhaseKind::overshoot},
-                             .durations = {"tau", "tau1"},
-                             .ur = data().ur};
+  orbits::Question question_ = two_slips(data());
   kernel::Variable phi_{"phi"}, omega_{"omega"}, omega2_{"omega2"};
   using Symbolic = tactics::Symbolic;
   Symbolic chi_ = kernel::Term(data().a.chi);
@@ -164,8 +169,57 @@ Outcome not_always_symmetric(Prover& prover, const Claim&) {
                    [&] { return not_symmetric(prover.theorem("33.even.orbits")); });
 }
 
-// Where a natural frequency is an odd multiple of the load's, no motion of two slips of half a period each
-// closes: half a period later the mode is the opposite one, and the friction has moved its place of rest.
+// ---- The same on a belt that moves, with slips of half a period each: x2' of the first mode, V cos(omega_1
+// t), is V at 0, at tau = pi/omega and at Theta. Added to an orbit for a belt at rest it makes one for this
+// belt.
+
+// omega_1 = 1/2 and omega_2 = 3/2 are even multiples of omega = 1/4: then (33) and (35) have tan(omega_j
+// pi/(2 omega)) = 0 and phi = 0, and all is rational.
+const Data of_moving_belt{
+    {Rational(5, 8), Rational(12, 5), Rational(1, 10), Rational(1, 10), Rational(1, 4), Rational(3)},
+    Rational(3, 25)};
+const Rational omega1_there(1, 2), omega2_there(3, 2), lambda1_there(6, 5);
+
+kernel::Theorem orbit_on_moving_belt() {
+  const ExactParameters& a = of_moving_belt.a;
+  // The amplitudes of both modes in x1: the place of rest is left, and the belt's velocity met.
+  const Rational rest1 = 3 * a.us, rest2 = -a.us / 3, mode = a.V / (omega1_there * lambda1_there);
+  const orbits::Question question = two_slips(of_moving_belt);
+  const kernel::Substitution exactly{{{"omega1"}, omega1_there},
+                                     {{"omega2"}, omega2_there},
+                                     {{"tau"}, kernel::Term(4) * kernel::pi()},
+                                     {{"phi"}, 0},
+                                     {{"A1_1"}, Rational(-rest1)},
+                                     {{"B1_1"}, mode},
+                                     {{"A2_1"}, Rational(-rest2)},
+                                     {{"B2_1"}, 0},
+                                     {{"A1_2"}, rest1},
+                                     {{"B1_2"}, mode},
+                                     {{"A2_2"}, rest2},
+                                     {{"B2_2"}, 0}};
+  const kernel::Theorem nothing_between = kernel::Theorem::reflexive(0);
+  const kernel::Theorem orbit =
+      orbits::orbit_theorem(question, {exactly, {{{"omega"}, a.omega}}, {}, nothing_between.conclusion()},
+                            {equal(kernel::Variable{"tau"}, kernel::Term(4) * kernel::pi())});
+  return orbits::one_motion(kernel::Theorem::cut(nothing_between, orbit), question);
+}
+
+Outcome only_at_rest_by_halves(Prover&, const Claim&) {
+  Outcome outcome;
+  outcome.route =
+      "a counterexample in closed form, where $omega_1 = 2 omega$: the orbit for a belt at rest, and a free "
+      "motion of the first mode with $x2' = V cos(omega_1 t)$, which has the load's period; its speed "
+      "against "
+      "the belt's by signs in balls, and by mean values at the ends";
+  outcome.verdict = differs_at(coordinates(of_moving_belt.a, of_moving_belt.ur), Ball(of_moving_belt.a.V),
+                               Ball(0), "the velocity of the belt, $V$,", "what the paper asks for");
+  prove(outcome, orbit_on_moving_belt);
+  return outcome;
+}
+
+// ---- Where a natural frequency is an odd multiple of the load's, no motion of two slips of half a period
+// each closes: half a period later the mode is the opposite one, and the friction has moved its place of
+// rest.
 
 using kernel::Theorem;
 using namespace symbols::vocabulary;
@@ -216,6 +270,7 @@ Theorem never_closes(Derivation& derivation, std::size_t) {
 Proofs resonances() {
   return {{"33.even.orbits", family_of_orbits},
           {"7.exception", not_always_symmetric},
+          {"7.only.half", only_at_rest_by_halves},
           {"31.odd", by_kernel("31.modes and 31.rest, in each of both cases", never_closes)}};
 }
 
