@@ -191,8 +191,7 @@ Theorem decided(const Formula& inequality, const Theorem& orbit) {
     letters.emplace(letter, known);
     here = replaced(here, term, letter);
   }
-  const Theorem lemma = Theorem::sign(here, ranges_in(here, ranges_of(letters)));
-  return Theorem::convert(settled(lemma, letters), inequality, {friction()});
+  return Theorem::convert(settled(sign(here, ranges_of(letters)), letters), inequality, {friction()});
 }
 
 }  // namespace

@@ -182,9 +182,7 @@ kernel::Theorem phase_is_fixed(const orbits::Ranges& ranges) {
   const Theorem late = orbits::in_pieces(tau, later, [&](const orbits::Ranges& here) {
     const auto one_has_a_sign = tactics::first_that_works(
         std::array{less(0, first), less(first, 0), less(0, second), less(second, 0)},
-        [&](const Formula& relation) {
-          return from_sign(Theorem::sign(relation, orbits::ranges_in(relation, here)));
-        });
+        [&](const Formula& relation) { return from_sign(orbits::sign(relation, here)); });
     return one_has_a_sign ? *one_has_a_sign : throw KernelError("both may be zero at one time");
   });
 

@@ -40,9 +40,8 @@ const Example& printed() {
 
 // The one of both inequalities that holds.
 Theorem decided_one_of(const Formula& either, const orbits::Ranges& ranges) {
-  const auto decided = tactics::first_that_works(either.parts(), [&](const Formula& relation) {
-    return Theorem::sign(relation, orbits::ranges_in(relation, ranges));
-  });
+  const auto decided = tactics::first_that_works(
+      either.parts(), [&](const Formula& relation) { return orbits::sign(relation, ranges); });
   if (!decided) {
     throw kernel::KernelError("some orbit may have this value");
   }
@@ -117,7 +116,7 @@ Theorem at_both(const OrbitList& list,
     const SymmetricEquations equations(printed());
     std::vector<Theorem> parts;
     for (const int phase : {1, -1}) {
-      const SymmetricList found = symmetric_list(equations, printed(), phase, ranges, slips_at(list, phase));
+      const SymmetricList found = symmetric_list(equations, phase, ranges, slips_at(list, phase));
       parts.push_back(theorem(equations, found, phase, ranges));
     }
     return tactics::both(parts);
@@ -269,7 +268,7 @@ class OrbitAtData {
 Theorem has_not(const char * name, const Theorem& halves, const OrbitList& list,
                 const orbits::Ranges& frequencies) {
   const SymmetricEquations e(printed());
-  const SymmetricList found = symmetric_list(e, printed(), 1, frequencies, slips_at(list, 1));
+  const SymmetricList found = symmetric_list(e, 1, frequencies, slips_at(list, 1));
   const Variable value{name};
   const bool of_friction = value != e.tau;
   const Term said = of_friction ? substitute(e.ur, {{e.sigma, 1}}) : Term(e.tau);

@@ -14,8 +14,8 @@ using namespace tactics;
 
 namespace {
 
-model::SymmetricData<Symbolic> data_of(const methods::Example& example, const SymmetricEquations& e) {
-  const model::Parameters<Symbolic> a = Printed<Symbolic>{example}.data();
+model::SymmetricData<Symbolic> data_of(const SymmetricEquations& e) {
+  const model::Parameters<Symbolic> a = Printed<Symbolic>{e.example}.data();
   return {a.chi,  model::modes_of<Symbolic>(a.chi, e.omega1, e.omega2),
           a.V,    a.omega,
           a.p,    Symbolic(2) * Symbolic(pi()) / a.omega,
@@ -37,8 +37,8 @@ struct Row {
   [[nodiscard]] Formula scaled(const Term& C) const { return equal(scaled_left() * C - scaled_right(), 0); }
 };
 
-std::vector<Row> rows_of(const methods::Example& example, const SymmetricEquations& e) {
-  const model::SymmetricData<Symbolic> data = data_of(example, e);
+std::vector<Row> rows_of(const SymmetricEquations& e) {
+  const model::SymmetricData<Symbolic> data = data_of(e);
   const Symbolic tau = e.tau, omega = data.omega;
   const auto rows = model::symmetric_rows<Symbolic>(data, tau);
   std::vector<Row> result;
@@ -115,19 +115,18 @@ struct InLetters {
 
 class List {
  public:
-  List(const SymmetricEquations& e, const methods::Example& example, int phase, const orbits::Ranges& ranges)
+  List(const SymmetricEquations& e, int phase, const orbits::Ranges& ranges)
       : e_(e),
         phase_(phase),
         ranges_(ranges),
-        eliminant_("symmetric_eliminant", {e.omega1, e.omega2, e.sigma, e.tau},
-                   eliminant(rows_of(example, e))),
+        eliminant_("symmetric_eliminant", {e.omega1, e.omega2, e.sigma, e.tau}, eliminant(rows_of(e))),
         arguments_{e.omega1, e.omega2, phase} {
     Domain domain{above(0, e.tau)};
     for (const Variable& omega_j : {e.omega1, e.omega2}) {
       domain.push_back(
           orbits::sign(less(orbits::rounded_down(ranges.at(omega_j).first, 4096), omega_j), ranges));
     }
-    for (const Row& row : rows_of(example, e)) {
+    for (const Row& row : rows_of(e)) {
       transfers_.push_back(nonzero(Theorem::combination(equal(row.D * row.T, row.N)), domain));
       rows_.push_back(row.at({{e.sigma, phase}}));
     }
@@ -315,10 +314,10 @@ class List {
 
 }  // namespace
 
-SymmetricEquations::SymmetricEquations(const methods::Example& example) {
-  const model::SymmetricData<Symbolic> data = data_of(example, *this);
+SymmetricEquations::SymmetricEquations(const methods::Example& of) : example(of) {
+  const model::SymmetricData<Symbolic> data = data_of(*this);
   Theta = data.Theta.term;
-  for (const Row& row : rows_of(example, *this)) {
+  for (const Row& row : rows_of(*this)) {
     rows.emplace_back(fmt::format("symmetric_row_{}", rows.size() + 1),
                       std::vector<Variable>{omega1, omega2, sigma, tau, C}, row.formula(C).parts()[0]);
   }
@@ -336,9 +335,9 @@ Formula SymmetricEquations::hold(int phase, const Term& at_tau, const Term& at_C
   return all(formulas);
 }
 
-SymmetricList symmetric_list(const SymmetricEquations& equations, const methods::Example& example, int phase,
+SymmetricList symmetric_list(const SymmetricEquations& equations, int phase,
                              const orbits::Ranges& frequencies, const std::vector<Rational>& nearly) {
-  return List(equations, example, phase, frequencies)(nearly);
+  return List(equations, phase, frequencies)(nearly);
 }
 
 }  // namespace stickslip::proofs::pascal2012

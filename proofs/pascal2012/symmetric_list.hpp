@@ -8,12 +8,13 @@ namespace stickslip::proofs::pascal2012 {
 // In variables tau, C and sigma, 1 or -1 for the two phases of the load, at the example's data except
 // omega1, omega2: model/symmetric.hpp.
 struct SymmetricEquations {
+  const methods::Example& example;
   kernel::Variable tau{"tau"}, C{"C"}, omega1{"omega1"}, omega2{"omega2"}, sigma{"sigma"};
   kernel::Term Theta = 0;
   std::vector<kernel::Definition> rows;  // symmetric_row_1, symmetric_row_2: left C - right
   kernel::Term ur = 0;                   // by (12)
 
-  explicit SymmetricEquations(const methods::Example& example);
+  explicit SymmetricEquations(const methods::Example& of);
   // Both rows are zero.
   [[nodiscard]] kernel::Formula hold(int phase, const kernel::Term& at_tau, const kernel::Term& at_C) const;
 };
@@ -27,8 +28,7 @@ struct SymmetricList {
   kernel::Theorem theorem;
 };
 // From numbers near all tau. Throws KernelError where there are other solutions, or it is not decided.
-[[nodiscard]] SymmetricList symmetric_list(const SymmetricEquations& equations,
-                                           const methods::Example& example, int phase,
+[[nodiscard]] SymmetricList symmetric_list(const SymmetricEquations& equations, int phase,
                                            const orbits::Ranges& frequencies,
                                            const std::vector<Rational>& nearly);
 
