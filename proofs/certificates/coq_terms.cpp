@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "core/transformed.hpp"
 #include "proofs/tactics/tactics.hpp"
 
 namespace stickslip::proofs::certificates {
@@ -169,9 +170,7 @@ bool is_matrix(const Term& term) {
 }
 
 std::string joined(const std::vector<Term>& parts, const char * separator, int level) {
-  std::vector<std::string> texts;
-  std::transform(parts.begin(), parts.end(), std::back_inserter(texts),
-                 [&](const Term& part) { return text(part, level); });
+  const auto texts = transformed(parts, [&](const Term& part) { return text(part, level); });
   return fmt::format("{}", fmt::join(texts, separator));
 }
 
@@ -422,10 +421,7 @@ std::string nothing(const Type& type) {
 }
 
 std::string names_of(const Definitions& definitions) {
-  std::vector<std::string> names;
-  std::transform(definitions.begin(), definitions.end(), std::back_inserter(names),
-                 [](const Definition& definition) { return definition_name(definition); });
-  return fmt::format("{}", fmt::join(names, " "));
+  return fmt::format("{}", fmt::join(transformed(definitions, definition_name), " "));
 }
 
 std::string opening(const std::string& before, const Definitions& definitions, const std::string& after) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/transformed.hpp"
 #include "proofs/certificates/coq_terms.hpp"
 #include "proofs/certificates/script.hpp"
 
@@ -66,10 +67,8 @@ std::string Script::solved(const Theorem& theorem, const Scope& scope) {
   }
   needs_.insert("Inverses");
   const Term A = left.parts()[0].parts()[0], M = left.parts()[1];
-  std::vector<std::string> divisors;
-  for (const Formula& divisor : step.divisors) {
-    divisors.push_back(hypothesis(divisor, scope));
-  }
+  const auto divisors =
+      transformed(step.divisors, [&](const Formula& one) { return hypothesis(one, scope); });
   std::string tries;
   std::string reduced = opening("", step.unfolded, " in *; ") + "reduce_matrices; ";
   for (const std::string& divisor : divisors) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/transformed.hpp"
 #include "proofs/certificates/script.hpp"
 #include "proofs/orbits/along.hpp"
 
@@ -46,9 +47,7 @@ std::string Script::calculus(const Theorem& theorem, const Scope& scope) {
   if (step.rule == "zeros_between") {
     return zeros_between(theorem, scope);
   }
-  std::vector<std::string> premises;
-  std::transform(step.premises.begin(), step.premises.end(), std::back_inserter(premises),
-                 [&](const Theorem& premise) { return term(premise, scope); });
+  const auto premises = transformed(step.premises, [&](const Theorem& one) { return term(one, scope); });
   if (step.rule == "finite_shift") {
     return fmt::format("  exact (finite_shift _ {} {}).", coq(step.data[0]), premises[0]);
   }

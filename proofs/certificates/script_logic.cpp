@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/transformed.hpp"
 #include "proofs/certificates/script.hpp"
 
 namespace stickslip::proofs::certificates {
@@ -16,10 +17,8 @@ namespace {
 // A formula over letters for its atoms, the same ones as before where they stood before.
 std::string shape(const Formula& formula, std::map<Formula, std::string>& letters) {
   const auto joined = [&](const char * separator, const char * none) {
-    std::vector<std::string> parts;
-    for (const Formula& part : formula.parts()) {
-      parts.push_back(shape(part, letters));
-    }
+    const auto parts =
+        transformed(formula.parts(), [&](const Formula& part) { return shape(part, letters); });
     return parts.empty() ? std::string(none) : fmt::format("({})", fmt::join(parts, separator));
   };
   switch (formula.kind()) {
@@ -99,10 +98,7 @@ std::string Script::consequence(const Theorem& theorem, const Scope& scope) {
   for (const auto& [formula, letter] : letters) {
     atoms.emplace(letter, formula);
   }
-  std::vector<std::string> names;
-  for (const auto& [letter, formula] : atoms) {
-    names.push_back(letter);
-  }
+  const auto names = transformed(atoms, [](const auto& atom) { return atom.first; });
   auto known = library_.tautologies.find(statement);
   if (known == library_.tautologies.end() || is_slow(known->second.file)) {
     const std::string name = fresh(file_ + "_truth"), all = fmt::format("{}", fmt::join(names, " "));

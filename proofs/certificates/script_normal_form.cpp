@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/transformed.hpp"
 #include "proofs/certificates/coq_terms.hpp"
 #include "proofs/certificates/phases.hpp"
 #include "proofs/certificates/script.hpp"
@@ -201,10 +202,8 @@ std::vector<Letter> with_letters(std::vector<Term>& terms) {
     }
     const Letter letter{*best, {fmt::format("letter {}", letters.size()), best->type()}};
     tried.insert(letter.stands_for);
-    std::vector<Term> others;
-    for (const Term& term : terms) {
-      others.push_back(replaced(term, letter.stands_for, letter.name));
-    }
+    const auto others =
+        transformed(terms, [&](const Term& term) { return replaced(term, letter.stands_for, letter.name); });
     if (vanishes(others)) {
       terms = others;
       letters.push_back(letter);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/transformed.hpp"
 #include "proofs/certificates/coq_terms.hpp"
 #include "proofs/certificates/script.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
@@ -51,15 +52,10 @@ std::string in_units(Real value) {
   return std::to_string(std::llround(std::ldexp(value, unit_exponent)));
 }
 std::string in_units(const Matrix& matrix) {
-  std::vector<std::string> rows;
-  for (const auto& row : matrix.rowwise()) {
-    std::vector<std::string> entries;
-    for (const Real value : row) {
-      entries.push_back(fmt::format("({})", in_units(value)));
-    }
-    rows.push_back(list(entries));
-  }
-  return list(rows) + "%Z";
+  const auto row_of = [](const auto& row) {
+    return list(transformed(row, [](Real value) { return fmt::format("({})", in_units(value)); }));
+  };
+  return list(transformed(matrix.rowwise(), row_of)) + "%Z";
 }
 
 // "  cbv beta delta [H z0].", or nothing.
@@ -142,10 +138,7 @@ std::string Script::read_once(const Formula& relation) {
       return "";
     }
     const std::vector<Variable> variables(number.variables().begin(), number.variables().end());
-    std::vector<std::string> names;
-    for (const Variable& variable : variables) {
-      names.push_back(identifier(variable.name));
-    }
+    const auto names = transformed(variables, [](const Variable& one) { return identifier(one.name); });
     const std::string name = fresh(file_ + "_number"), all_variables = binders(variables),
                       shown = coq(number),
                       open = opened.empty() ? "" : fmt::format(" delta [{}]", names_of(opened));

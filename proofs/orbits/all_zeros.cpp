@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/transformed.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "proofs/tactics/tactics.hpp"
@@ -37,10 +38,7 @@ class Zeros {
     for (std::size_t k = 0; k < nearly.size(); ++k) {
       enclose(nearly[k], {fmt::format("{}_{}", t_.name, k + 1)});
     }
-    std::vector<Formula> cases;
-    for (const Zero& zero : zeros_) {
-      cases.push_back(equal(t_, zero.said.x));
-    }
+    const auto cases = transformed(zeros_, [&](const Zero& zero) { return equal(t_, zero.said.x); });
     const Formula goal = cases.size() == 1 ? cases.front() : any(cases);
     // From one end to the other.
     std::optional<Theorem> so_far;
@@ -55,11 +53,7 @@ class Zeros {
       reached = near.to;
     }
     append(so_far, reached, ends_.second, goal);
-    AllZeros result{{}, *so_far};
-    for (const Zero& zero : zeros_) {
-      result.zeros.push_back(zero.said);
-    }
-    return result;
+    return {transformed(zeros_, [](const Zero& zero) { return zero.said; }), *so_far};
   }
 
  private:

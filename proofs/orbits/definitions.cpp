@@ -87,8 +87,9 @@ Term principal_minors(const Term& M, std::size_t n) {
     }
     std::vector<Term> entries;
     for (const int i : rows) {
-      std::transform(rows.begin(), rows.end(), std::back_inserter(entries),
-                     [&](int j) { return entry(M, i, j); });
+      for (const int j : rows) {
+        entries.push_back(entry(M, i, j));
+      }
     }
     const int size = static_cast<int>(n);
     minors.push_back(n == 1 ? entries[0] : determinant(matrix(size, size, entries)));

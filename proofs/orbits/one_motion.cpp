@@ -1,4 +1,5 @@
 // An orbit as one motion: its phases, joined at their ends and continued with the period.
+#include "core/transformed.hpp"
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
@@ -98,11 +99,10 @@ class OneMotion {
       steps.push_back(j < k ? detach(part(pieces, 1), order(at_most(end(j), t), {{{from}}}))
                             : detach(part(pieces, 0), to));
     }
-    std::vector<Multiple> because;
-    for (const Theorem& step : steps) {
-      because.push_back({step, -1});
-    }
-    return Theorem::combination(equal(Names::state(k, t), apply(X_, t)), because);
+    return Theorem::combination(equal(Names::state(k, t), apply(X_, t)),
+                                transformed(steps, [](const Theorem& step) {
+                                  return Multiple{step, -1};
+                                }));
   }
   // X_k(end) = X(end).
   [[nodiscard]] Theorem at_end(std::size_t k) const {

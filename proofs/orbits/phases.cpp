@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/transformed.hpp"
 #include "numeric/families/family.hpp"
 
 namespace stickslip::proofs::orbits {
@@ -235,11 +236,7 @@ std::vector<Rational> Phases::near(const numeric::motion::Motion& motion) const 
       }
     }
   }
-  std::vector<Rational> result;
-  for (const Ball& ball : values) {
-    result.push_back(orbits::near(ball));
-  }
-  return result;
+  return transformed(values, [](const Ball& ball) { return orbits::near(ball); });
 }
 
 }  // namespace stickslip::proofs::orbits

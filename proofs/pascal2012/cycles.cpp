@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/transformed.hpp"
 #include "numeric/attractors/attractors.hpp"
 #include "numeric/orbits.hpp"
 #include "proofs/methods/methods.hpp"
@@ -175,10 +176,7 @@ Claim attractors_of(const Example& example, long starts, bool attracts) {
         question.machine = {.data = example.data, .ur = friction_of(example), .digits = 10};
         question.starts = starts;
         const AttractorList list = numeric::attractors::find_attractors(question);
-        std::vector<std::string> found;
-        for (const Attractor& one : list.attractors) {
-          found.push_back(shown(one));
-        }
+        const auto found = transformed(list.attractors, [](const Attractor& one) { return shown(one); });
         outcome.found = fmt::format("{}", fmt::join(found, "; "));
         const auto is_of_family = [](const Attractor& one) { return !one.family.empty(); };
         const bool so = attracts ? is_of_family(list.attractors.front())

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/transformed.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "proofs/methods/prover.hpp"
@@ -158,11 +159,8 @@ std::vector<Claim> printed_values(const Example& example, const std::string& wor
 }
 
 std::string residuals(const std::vector<Ball>& values) {
-  std::vector<std::string> shown;
-  for (const Ball& value : values) {
-    shown.push_back(to_text(value, 3).mid);
-  }
-  return fmt::format("{}", fmt::join(shown, ", "));
+  const auto texts = transformed(values, [](const Ball& value) { return to_text(value, 3).mid; });
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 namespace {
@@ -275,12 +273,8 @@ Claim stability_claim(const Example& example) {
           outcome.verdict = Verdict::undecided(stability ? stability->reason : "the orbit is not admissible");
           return outcome;
         }
-        std::vector<std::string> multipliers;
-        for (const ComplexBall& multiplier : stability->multipliers) {
-          multipliers.push_back(shown_complex(multiplier));
-        }
-        outcome.route +=
-            fmt::format(": {}, with {}", to_string(stability->kind), fmt::join(multipliers, ", "));
+        outcome.route += fmt::format(": {}, with {}", to_string(stability->kind),
+                                     fmt::join(transformed(stability->multipliers, shown_complex), ", "));
         outcome.found = fmt::format("{}, the largest $|mu|$ of a Floquet multiplier $mu$ is ${}$ ({})",
                                     to_string(stability->kind), digits_of(largest_modulus(*stability)),
                                     told_apart(printed_orbit(example), *example.family));

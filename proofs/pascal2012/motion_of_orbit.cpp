@@ -1,4 +1,5 @@
 // What is known of an orbit as one motion, and that it obeys what claims assume.
+#include "core/transformed.hpp"
 #include "proofs/pascal2012/met_by_orbits.hpp"
 
 #include <algorithm>
@@ -79,10 +80,8 @@ class MotionOf {
       name_as_assumed(*claim);
       formulas.merge(assumed_by(*claim));
     }
-    std::vector<Theorem> proved;
-    for (const Formula& one : formulas) {
-      proved.push_back(holds(substitute(one, values_)));
-    }
+    const auto proved =
+        transformed(formulas, [&](const Formula& one) { return holds(substitute(one, values_)); });
     const Formula whole = kernel::all({formulas.begin(), formulas.end()});
     std::vector<Variable> names;  // innermost what has a value in terms of the others
     for (const bool has_value : {true, false}) {
@@ -178,13 +177,8 @@ class MotionOf {
   // ---- What holds.
   [[nodiscard]] Theorem holds(const Formula& formula) const {
     switch (formula.kind()) {
-      case Kind::conjunction: {
-        std::vector<Theorem> parts;
-        for (const Formula& one : formula.parts()) {
-          parts.push_back(holds(one));
-        }
-        return tactics::both(parts);
-      }
+      case Kind::conjunction:
+        return tactics::both(transformed(formula.parts(), [&](const Formula& one) { return holds(one); }));
       case Kind::continuous:
         return continuity(formula);
       case Kind::for_all:
@@ -482,10 +476,7 @@ const Example& example_of(const Met& met) {
 
 Theorem met_theorem(Prover& prover, const Met& met) {
   const numeric::motion::ExactParameters& a = example_of(met).data;
-  std::vector<const Claim *> claims;
-  for (const std::string& id : met.ids) {
-    claims.push_back(&prover.claim(id));
-  }
+  const auto claims = transformed(met.ids, [&](const std::string& id) { return &prover.claim(id); });
   const Theorem& orbit = prover.theorem(met.example + ".motion");
   return at_frequencies(a.chi, a.eta, [&](const orbits::Ranges& frequencies) {
     return orbits::of_orbit(orbit, [&](const Theorem& said) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/transformed.hpp"
 #include "model/symmetric.hpp"
 #include "model/waves.hpp"
 #include "proofs/orbits/all_zeros.hpp"
@@ -328,11 +329,9 @@ SymmetricEquations::SymmetricEquations(const methods::Example& of) : example(of)
 }
 
 Formula SymmetricEquations::hold(int phase, const Term& at_tau, const Term& at_C) const {
-  std::vector<Formula> formulas;
-  for (const Definition& row : rows) {
-    formulas.push_back(equal(row({omega1, omega2, phase, at_tau, at_C}), 0));
-  }
-  return all(formulas);
+  return all(transformed(rows, [&](const Definition& row) {
+    return equal(row({omega1, omega2, phase, at_tau, at_C}), 0);
+  }));
 }
 
 SymmetricList symmetric_list(const SymmetricEquations& equations, int phase,

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/transformed.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/reading.hpp"
 #include "proofs/orbits/all_zeros.hpp"
@@ -241,10 +242,7 @@ class AtTheData {
         {{Theorem::assume(equal(Reader()(last_.value), 0)), unit}}, opened_);
     Theorem result = Theorem::instantiate(Theorem::instantiate(generic, data_), {{tau_, zero.x}});
     result = Theorem::cut(Theorem::convert(vanishes, equal(here(last_.value), 0), {factors_.back()}), result);
-    std::vector<kernel::Term> x;
-    for (const Term& one : solution) {
-      x.push_back(here(one));
-    }
+    const std::vector<kernel::Term> x = transformed(solution, here);
     result = Theorem::convert(
         result, equal(at(matrix, zero.x) * kernel::matrix(4, 1, {x[0], x[1], x[2], 1}), nothing), {matrix});
     result = tactics::settled_by(result, [&](const Formula& one) {
