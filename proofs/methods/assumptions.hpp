@@ -54,8 +54,6 @@ struct Given {
 // Adds the claims that define what the term speaks of.
 void record_definitions(Outcome& outcome, const Claim& claim, const symbols::Term& term);
 
-// Whether who reads a formula sees where it has no meaning.
-
 // Whether the claim that brought the hypothesis in prints a division, or a tangent, by something that is zero
 // where the hypothesis fails. Of another claim only what a source prints is seen, none of our own formulas.
 [[nodiscard]] bool is_seen(const Hypothesis& hypothesis, const Claim& needing, const Claim& origin);

@@ -1,5 +1,5 @@
 // The evaluation behind meaning.hpp, as templates over the scalar S: a series in the time over balls or exact
-// numbers. Instantiated by evaluate_*.cpp; include meaning.hpp instead.
+// numbers, instantiated by meaning.cpp; include meaning.hpp instead.
 #pragma once
 
 #include <fmt/format.h>

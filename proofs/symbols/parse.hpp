@@ -1,15 +1,16 @@
 // Printed statements read back from a line of text, in the notation in which text() prints them.
 //
-//   statement  = expression relation expression { relation expression } [ times ]      0 < omega1 < 1 <
-//   omega2 relation   = "=" | "!=" | "<" | "<=" | ">" | ">="                                  or ≠, ≤, ≥
+//   statement  = expression relation expression { relation expression } [ times ]
+//   relation   = "=" | "!=" | "<" | "<=" | ">" | ">="   (or ≠, ≤, ≥)
 //   times      = ( "," | "for" [ "almost all" ] ) expression "<" "t" "<" expression
-//                [ "but for finitely many t" ] [ ", continuous on [" expression "," expression "]" ]
-//   expression = [ "-" ] product { ( "+" | "-" ) product }                             -a b is (-a) b
-//   product    = factor { "*" factor | "/" factor | factor }                           no bare factor after
-//   "/" factor     = primary [ "^" [ "-" ] digits ]                                        or ², ³; A^-1 is
-//   the inverse primary    = number | symbol | function { "'" } [ power ] "(" expression ")" | "(" expression
-//   ")"
-//              | "|" expression "|" | "[" rows of blocks "]" | "det(" expression ")" | "d/dt[" expression "]"
+//                [ "but for finitely many t" ]
+//                [ ", continuous on [" expression "," expression "]" ]
+//   expression = [ "-" ] product { ( "+" | "-" ) product }   (-a b is (-a) b)
+//   product    = factor { "*" factor | "/" factor | factor }   (no bare factor after "/" factor)
+//   factor     = primary [ "^" [ "-" ] digits ]   (or ², ³; A^-1 is the inverse)
+//   primary    = number | symbol | function { "'" } [ power ] "(" expression ")"
+//              | "(" expression ")" | "|" expression "|" | "[" rows of blocks "]"
+//              | "det(" expression ")" | "d/dt[" expression "]"
 //
 // 0 and I take the sizes of what they stand with. What is a quantity and a function, as x1 and x1(t), is the
 // function where "(" follows at once. Greek letters and subscripts may be typed: ω₁, omega_1 and omega1 are
