@@ -1,5 +1,7 @@
 #include "proofs/methods/derivation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -268,13 +270,17 @@ Theorem Derivation::premise(const Premise& premise, std::size_t which) {
     throw KernelError("nothing is assumed as " + premise.id);
   }
   uses_.insert(premise.id);
-  for (const auto& supplied : premise.supplied) {
-    uses_.insert(supplied.second);
-    for (const Theorem& theorem : final_outcome(prover_.prove(supplied.second)).theorems) {
+  const Record& record = prover_.prove(premise.id);
+  for (const auto& [assumption, claim] : premise.supplied) {
+    if (std::ranges::find(record.claim.assumptions, assumption, &Assumption::id) ==
+        record.claim.assumptions.end()) {
+      throw KernelError(fmt::format("{} does not assume {}", premise.id, assumption));
+    }
+    uses_.insert(claim);
+    for (const Theorem& theorem : final_outcome(prover_.prove(claim)).theorems) {
       supplied_.push_back(theorem);
     }
   }
-  const Record& record = prover_.prove(premise.id);
   const std::vector<symbols::Statement>& form = proved_form(record);
   if (which >= form.size()) {
     throw KernelError(premise.id + " has no such statement");

@@ -82,6 +82,20 @@ TEST_CASE(
   CHECK(status_of(head + "  x >= 0\n  if y: a = sqrt(x)\n") == "proved");
 }
 
+TEST_CASE("what is given to a premise is what it assumes") {
+  const auto last = [](const std::string& given) {
+    return statuses(read("paper P\nsymbols x, y\nsection s S\nassume one: x = 1\nassume more: y = x\n"
+                         "claim square step: .\n  x^2 = 1\n  if one\n"
+                         "claim same step: .\n  x = 1\n  if one\n"
+                         "claim again step: .\n  x^2 = 1\n  if one, more\n  by premises claim square given " +
+                         given + " by same\n"))
+        .at("again");
+  };
+  CHECK(last("one") == "as_printed");
+  CHECK(last("more") == "undecided");
+  CHECK(last("none") == "undecided");
+}
+
 TEST_CASE("a file with characters changed is refused in a sentence, or another file") {
   const std::string whole = example("den_hartog");
   const std::string signs = "+-*/^()[]|,;:=<>'@#$ \n\tabt12.";
