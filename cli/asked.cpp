@@ -216,8 +216,7 @@ Asked<BranchQuestion> asked_branch_of_family(const BranchOptions& o, const Examp
   if (o.all || o.orbit || o.near) {
     throw UsageError(
         fmt::format("--all, --orbit and --near are for words of phases, not for the family '{}', of which "
-                    "all branches are "
-                    "followed",
+                    "all branches are followed",
                     o.family));
   }
   ParameterFile file = file_of(o, FrictionAtRest::optional);

@@ -122,8 +122,7 @@ std::string files_of(const CLI::App& command) {
   return fmt::format(
       ".SH FILES\nThe TOML file of \\fB\\-\\-params\\fR has lines such as\n.PP\n.RS\nchi = 0.5\n.RE\n.PP\n"
       "with the keys {}, which are those of the options, in the dimensionless data of the paper; or those of "
-      "a "
-      "machine in SI units, as it is, without damping and with one frequency of the load:\n{}",
+      "a machine in SI units, as it is, without damping and with one frequency of the load:\n{}",
       fmt::join(parameter_names, ", "), entries);
 }
 

@@ -67,8 +67,7 @@ Word word_for(const GivenInTables& given, const std::string& text, const char * 
   if (!numeric::words::looks_like_word(text)) {
     throw UsageError(
         fmt::format("stickslip {} of a machine in tables, {}, is for a word of phases such as OTS, not for a "
-                    "family of the "
-                    "paper's oscillator",
+                    "family of the paper's oscillator",
                     command, given.origin.file));
   }
   return Word::parse(text);

@@ -99,8 +99,7 @@ PaperInHelp in_help() {
   const Bibliography& source = proofs::pascal2012::bibliography();
   const std::string about = fmt::format(
       "Decides, statement by statement, what is true in {}, {}, {}. Identities are proved for all "
-      "parameters; "
-      "printed numbers are compared with rigorous enclosures.",
+      "parameters; printed numbers are compared with rigorous enclosures.",
       source.author, source.title, source.journal);
   return {report::tools::enumerated(report::tools::wrapped(about, width_of_help), std::identity(), "\n"),
           names_of(proofs::pascal2012::printed_examples()),

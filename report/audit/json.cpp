@@ -133,10 +133,8 @@ void write_outcome(Object& json, const Outcome& o) {
   json.object(
       "cross_check", [&](Object& to) { write_cross_check(to, o.cross_check); },
       "How two further engines looked at the verdict: formulas evaluated, rational points at which each "
-      "agrees "
-      "exactly, real points at which each agrees in balls, real points where what the claim rests on holds "
-      "and "
-      "what it prints, too; or why there was nothing to evaluate.");
+      "agrees exactly, real points at which each agrees in balls, real points where what the claim rests on "
+      "holds and what it prints, too; or why there was nothing to evaluate.");
   json.has("theorems", sequents(o.theorems),
            "The kernel's theorems of what is printed, in its order, as sequents: hypotheses |- conclusion.");
   json.has("by_kernel", o.by_kernel, "Whether the verdict is that of the kernel's theorems alone.");
@@ -275,8 +273,7 @@ void write_audit(Object& json, const Written& all) {
       "statements", statements_in(all.paper, all.audit),
       [&](Object& to, const PrintedStatement& statement) { write_statement(to, statement, all); },
       "The paper's statements, in words of our own: all in an audit; of stickslip check those whose claims "
-      "were "
-      "all asked for.");
+      "were all asked for.");
   json.list("places", by_place(all), [&](Object& to, const PlaceRecords& place) {
     to.has("id", place.id);
     to.has("title", place.title);
@@ -287,16 +284,13 @@ void write_audit(Object& json, const Written& all) {
             "What the audit found beyond the paper, the strongest first.");
   json.list("examples", all.examples, write_example,
             "All orbits at the data of the paper's figures; empty for stickslip check.");
-  json.or_null(
-      "mutants", all.gate, write_gate,
-      "Wrong statements made on purpose by single edits, put to the claims' own proofs; null where that was "
-      "not "
-      "asked for. Refuted: fails where all that the claim rests on holds; unproved: the proof does not go "
-      "through; meaningless: does not evaluate; true_too: proved, and has the normal form of what is printed "
-      "or "
-      "holds at the points tried; survived: proved, and nothing else says that it is true. Twins are the "
-      "same "
-      "statements written another way.");
+  json.or_null("mutants", all.gate, write_gate,
+               "Wrong statements made on purpose by single edits, put to the claims' own proofs; null where "
+               "that was not asked for. Refuted: fails where all that the claim rests on holds; unproved: "
+               "the proof does not go through; meaningless: does not evaluate; true_too: proved, and has the "
+               "normal form of what "
+               "is printed or holds at the points tried; survived: proved, and nothing else says that it is "
+               "true. Twins are the same statements written another way.");
   json.has("interrupted", std::optional<bool>(),
            with({{"const", true}}, "The audit was ended before all claims were examined; absent otherwise."));
 }

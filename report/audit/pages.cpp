@@ -75,8 +75,7 @@ void add_meanings(Json& data, int digits) {
   data["drawn_by"] = drawn_by();
   data["precision"] = fmt::format(
       "identities exactly, in rational arithmetic; values of orbits enclosed to {} significant digits, "
-      "rounded "
-      "outwards, and computed with more bits wherever a verdict needs them",
+      "rounded outwards, and computed with more bits wherever a verdict needs them",
       digits);
   data["meaning_of_margin"] = meaning_of_margin();
   data["meaning_of_units"] = meaning_of_units();

@@ -45,8 +45,7 @@ void write_law(Object& json, const model::FrictionLaw<Rational>& law) {
         to.has("slope", piece.slope);
       },
       "Pieces of the law, force + slope (v - from) for relative velocities v from there on; beside a smooth "
-      "law "
-      "those that motions are simulated on.");
+      "law those that motions are simulated on.");
   json.object_if(
       "smooth", law.smooth,
       [](Object& to, const model::SmoothFriction<Rational>& f) {
@@ -58,8 +57,7 @@ void write_law(Object& json, const model::FrictionLaw<Rational>& law) {
         to.has("viscous", f.viscous);
       },
       "The law, where it is a smooth one: to + (from - to) s(v/over) + viscous v, s(y) = exp(-y) or 1/(1 + "
-      "y). "
-      "What is proved is proved of it.");
+      "y). What is proved is proved of it.");
 }
 
 void write_machine(Object& json, const Machine& machine, const Origin& origin) {

@@ -229,8 +229,7 @@ std::array<std::string, 2> plane_of(const Basins& b) {
 std::string command_of(const Diagram& result) {
   const MachineStarts& q = result.question;
   return fmt::format(
-      "stickslip attractors {} --along {} {}..{} --values {} --starts {} --seed {} --most-periods "
-      "{} "
+      "stickslip attractors {} --along {} {}..{} --values {} --starts {} --seed {} --most-periods {} "
       "--digits {}",
       result.origin.options, result.parameter, to_string(result.from), to_string(result.to), result.values,
       q.starts, q.seed, q.most_periods, q.digits);

@@ -122,8 +122,7 @@ std::string terminal_report(const AttractorList& list, const Style& style, const
   return text + "\n" + columns_of(rows, style.width) + "\n" +
          labelled(0, "share",
                   "of the starts, with Wilson's interval of 95 %; what is said to be proved is; everything "
-                  "else is "
-                  "a check in floating point",
+                  "else is a check in floating point",
                   style.width) +
          (recover.empty() ? "" : labelled(0, "recovers", meaning_of_neighbourhood(), style.width));
 }

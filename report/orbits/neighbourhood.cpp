@@ -87,8 +87,7 @@ std::string ur_in_words(const Rational& ur) {
 
 std::string meaning_of_neighbourhood() {
   return "proved: a motion that starts there on the orbit, but for one number that is off by at most so "
-         "much, "
-         "converges to the orbit; and so do all from an ellipsoid of these half widths";
+         "much, converges to the orbit; and so do all from an ellipsoid of these half widths";
 }
 
 namespace {

@@ -163,8 +163,7 @@ std::string meaning_of_margin() {
 std::string meaning_of_units(bool in_SI) {
   return in_SI ? "margins and their times t are in the units of the data taken"
                : "by (3), $x$, $z$, their rates of change, $V$, $p$, $u_s$, $u_r$ are lengths, all in one "
-                 "unit; "
-                 "times and $omega$ have none; $phi$ is in radians";
+                 "unit; times and $omega$ have none; $phi$ is in radians";
 }
 
 std::string unit_of(const std::string& name) {

@@ -190,8 +190,7 @@ void write_stability(Object& json, const std::optional<Stability>& known,
           near.has("at", ball_text(contact.at, digits));
         },
         "Of a stable orbit the condition that is nearest to a violation: a disturbance that reaches as far "
-        "may "
-        "lead to another motion.");
+        "may lead to another motion.");
   });
 }
 
