@@ -6,6 +6,8 @@
 
 #include "cli/answer.hpp"
 #include "cli/commands.hpp"
+#include "report/machines/rows.hpp"
+#include "report/orbits/record_json.hpp"
 #include "cli/machine_answers.hpp"
 #include "report/tools/files.hpp"
 
@@ -150,9 +152,10 @@ std::optional<ExitCode> run_in_tables(const SimulateOptions& o) {
     file.emplace(*o.csv);
   }
   if (file) {
-    file->append(report::machines::csv_names({{given->machine}, given->origin}));
+    file->append(
+        report::orbits::csv_names(report::machines::coordinates_of({given->machine, given->origin.in_SI})));
   }
-  const auto take = [&](const SampleOfMachine& sample) { file->append(report::machines::csv_line(sample)); };
+  const auto take = [&](const SampleOfMachine& sample) { file->append(report::orbits::csv_line(sample)); };
   const report::machines::Motion result = worked_out("simulating ...", [&] {
     return answer(
         *given, o, [](double) { return !interrupted(); },

@@ -12,6 +12,7 @@
 #include "core/interruption.hpp"
 #include "numeric/simulation/record.hpp"
 #include "numeric/simulation/simulation.hpp"
+#include "report/orbits/record_json.hpp"
 
 namespace stickslip::cli {
 
@@ -38,7 +39,7 @@ class Samples {
       file_.emplace(*options.csv);
     }
     if (options.csv) {
-      write(report::orbits::csv_names(units));
+      write(report::orbits::csv_names(report::orbits::coordinates_in(units)));
     }
   }
 

@@ -404,18 +404,6 @@ void write(Object& json, const SteadyBranch& result) {
       "With --basin: the share of the starts that end in it.");
 }
 
-using AnyTransition = simulation::TransitionOf<simulation::AnyState>;
-
-void write_event(Object& json, const AnyTransition& e) {
-  json.has("t", e.time);
-  json.has("from", e.before, orbits::phase_names());
-  json.has("to", e.after, orbits::phase_names());
-  json.has("from_piece", e.piece_before + 1, {{"minimum", 1}});
-  json.has("to_piece", e.piece_after + 1, {{"minimum", 1}});
-  json.has("r", e.r);
-  json.has("state", e.X, state_words);
-}
-
 void write(Object& json, const Motion& result) {
   const auto& record = result.record;
   json.has("start", result.question.start, state_words);
@@ -424,7 +412,7 @@ void write(Object& json, const Motion& result) {
   json.has("done", record.done);
   json.has("interrupted", record.interrupted);
   orbits::write_end(json, record, state_words);
-  orbits::write_events(json, record, write_event);
+  orbits::write_events(json, record, state_words);
 }
 
 // What schemas are made with.

@@ -155,10 +155,6 @@ template <class Result>
 // A line of names, then a line for each part: the motion (1, 2, …), least and greatest value of each number,
 // exactly, and what the motions are in it.
 [[nodiscard]] std::string to_csv(const OverBox& result);
-// Names with units; t, phase, x, x', r, u, E; numbers with 17 digits.
-[[nodiscard]] std::string csv_names(const Motion& motion);
-[[nodiscard]] std::string csv_line(
-    const numeric::simulation::SampleOf<numeric::simulation::AnyState>& sample);
 
 // The position of the mass on the belt where the first phase begins against the parameter; empty when there
 // is nothing to draw.

@@ -66,14 +66,6 @@ std::string machine_text(const Seen& seen, const Style& style, const std::vector
   return columns_of(rows, style.width);
 }
 
-std::string state_of(const Eigen::VectorXd& X, const Seen& seen) {
-  const double * x = X.data();
-  return enumerated(
-             coordinates_of(seen),
-             [&](const orbits::Coordinate& one) { return fmt::format("{} = {:.9g}", one.name, *x++); }) +
-         seen.unit("m and m/s");
-}
-
 }  // namespace
 
 std::string terminal_report(const Attractors& list, const Style& style) {
@@ -221,11 +213,13 @@ std::string terminal_report(const Motion& result, const Style& style) {
   const Seen seen = seen_of(result);
   const auto& record = result.record;
   std::vector<Row> rows{
-      {{"start"}, {state_of(result.question.start, seen)}},
+      {{"start"}, {orbits::state_in_words(result.question.start, coordinates_of(seen))}},
       {{"simulated"},
        {fmt::format("t = {:.9g}{}{}", record.done, seen.in_SI ? " s" : "",
                     record.interrupted ? "; interrupted" : "")}},
-      {{"end"}, {fmt::format("{}: {}", to_string(record.end.phase), state_of(record.end.X, seen))}},
+      {{"end"},
+       {fmt::format("{}: {}", to_string(record.end.phase),
+                    orbits::state_in_words(record.end.X, coordinates_of(seen)))}},
       {{"shares"}, {orbits::shares_in_words(record)}},
       {{"energy"}, {fmt::format("{:.6g}{} at the end", record.end.energy, seen.in_SI ? " J" : "")}},
       {{"events"}, {fmt::format("{}", record.events)}}};
@@ -298,23 +292,6 @@ std::string to_csv(const OverBox& result) {
     }
   }
   return text;
-}
-
-std::string csv_names(const Motion& motion) {
-  const Seen seen = seen_of(motion);
-  std::string text = "t" + seen.unit("s") + ",phase";
-  for (const orbits::Coordinate& x : coordinates_of(seen)) {
-    text += "," + orbits::named(x);
-  }
-  return text + fmt::format(",r{0},u{0},E{1}\n", seen.unit("N"), seen.unit("J"));
-}
-
-std::string csv_line(const simulation::SampleOf<simulation::AnyState>& s) {
-  std::string text = fmt::format("{:.17g},{}", s.time, to_string(s.phase));
-  for (const double x : s.X) {
-    text += fmt::format(",{:.17g}", x);
-  }
-  return text + fmt::format(",{:.17g},{:.17g},{:.17g}\n", s.r, s.u, s.energy);
 }
 
 std::string terminal_report(const SetMotion& set, const Style& style) {

@@ -110,10 +110,6 @@ std::string comma_separated(const Eigen::VectorXd& X) {
       X, [](double x) { return fmt::format("{:.17g}", x); }, ",");
 }
 
-std::string named(const Coordinate& coordinate) {
-  return coordinate.unit.empty() ? coordinate.name : coordinate.name + " in " + coordinate.unit;
-}
-
 std::string short_name(const Ending& a, bool has_load) {
   return a.kind != Kind::periodic ? to_string(a.kind)
          : has_load               ? fmt::format("{} ({})", shortened(a.word), a.periods)

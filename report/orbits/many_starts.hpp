@@ -67,8 +67,6 @@ struct ToldPlane {
 [[nodiscard]] Eigen::VectorXd told(const Eigen::VectorXd& X, const std::vector<Coordinate>& coordinates);
 // "1,2,3,4", with 17 digits.
 [[nodiscard]] std::string comma_separated(const Eigen::VectorXd& X);
-// "x1", or "x1 in m".
-[[nodiscard]] std::string named(const Coordinate& coordinate);
 
 // "OTS (1)", "OTS" without a load, or its kind.
 [[nodiscard]] std::string short_name(const numeric::attractors::Ending& ending, bool has_load = true);

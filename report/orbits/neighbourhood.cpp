@@ -14,6 +14,17 @@ namespace stickslip::report::orbits {
 using numeric::machines::Neighbourhood;
 using namespace tools;
 
+std::string named(const Coordinate& coordinate) {
+  return coordinate.unit.empty() ? coordinate.name : coordinate.name + " in " + coordinate.unit;
+}
+
+std::string state_in_words(const Eigen::VectorXd& X, const std::vector<Coordinate>& coordinates) {
+  const double * x = X.data();
+  return enumerated(coordinates,
+                    [&](const Coordinate& one) { return fmt::format("{} = {:.9g}", one.name, *x++); }) +
+         (coordinates.front().unit.empty() ? "" : " in m and m/s");
+}
+
 std::vector<Coordinate> coordinates_in(const Units& units) {
   static constexpr std::array names{"x1", "x2", "x1'", "x2'"};
   const model::Vector4<double> factors = units.state(model::Vector4<double>::Ones());
@@ -56,11 +67,10 @@ std::vector<Row> neighbourhood_rows(const Neighbourhood& n, const std::vector<Co
     const auto shown = [&](double x) {
       return x == 0 ? std::string("-") : below(x * coordinates[k].factor, 3);
     };
-    rows.push_back(
-        {{"  " + coordinates[k].name + (coordinates[k].unit.empty() ? "" : " in " + coordinates[k].unit)},
-         {fmt::format("{:.8g}", n.centre(i).approximate() * coordinates[k].factor)},
-         {shown(n.alone(i))},
-         {shown(n.half_widths(i))}});
+    rows.push_back({{"  " + named(coordinates[k])},
+                    {fmt::format("{:.8g}", n.centre(i).approximate() * coordinates[k].factor)},
+                    {shown(n.alone(i))},
+                    {shown(n.half_widths(i))}});
   }
   return rows;
 }

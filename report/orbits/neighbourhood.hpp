@@ -19,6 +19,11 @@ struct Coordinate {
   std::string name, unit;
   double factor = 1;
 };
+// "x1", or "x1 in m".
+[[nodiscard]] std::string named(const Coordinate& coordinate);
+// "x1 = 0.1, x2 = 0.2, ...", with the units behind.
+[[nodiscard]] std::string state_in_words(const Eigen::VectorXd& X,
+                                         const std::vector<Coordinate>& coordinates);
 // Of the paper's oscillator.
 [[nodiscard]] std::vector<Coordinate> coordinates_in(const Units& units);
 

@@ -9,6 +9,7 @@
 #include "core/names.hpp"
 #include "model/named_data.hpp"
 #include "numeric/families/family.hpp"
+#include "report/orbits/many_starts.hpp"
 #include "report/tools/numbers.hpp"
 #include "symbolic/typeset/names.hpp"
 
@@ -185,9 +186,7 @@ std::string command_of(const OrbitQuestion& question) {
 }
 
 std::string command_of(const attractors::WordSearch& q) {
-  const std::string near = q.near ? fmt::format(" --near={:.17g},{:.17g},{:.17g},{:.17g}", (*q.near)(0),
-                                                (*q.near)(1), (*q.near)(2), (*q.near)(3))
-                                  : "";
+  const std::string near = q.near ? " --near=" + comma_separated(*q.near) : "";
   return fmt::format("stickslip orbits {} --period {}{}{} --digits {}", q.word.letters(), q.periods,
                      options_of(q.machine), near, q.machine.digits);
 }

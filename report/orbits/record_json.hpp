@@ -1,12 +1,14 @@
-// What text and JSON of a simulated motion have, whatever the oscillator.
+// What text, JSON and tables of a simulated motion have, whatever the oscillator.
 #pragma once
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <vector>
 
 #include "numeric/simulation/record.hpp"
+#include "report/orbits/neighbourhood.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/schema.hpp"
 
@@ -78,16 +80,41 @@ void write_end(tools::Object& json, const numeric::simulation::RecordOf<State>& 
       "Of the time.");
 }
 
-// "events", each as `write_event` writes it.
-template <class State, class WriteEvent>
+// "events", with the pieces of the friction law where it may have several; `state` says what a state is.
+template <class State>
 void write_events(tools::Object& json, const numeric::simulation::RecordOf<State>& record,
-                  const WriteEvent& write_event) {
+                  const char * state) {
+  const auto write_event = [state](tools::Object& to, const numeric::simulation::TransitionOf<State>& event) {
+    to.has("t", event.time);
+    to.has("from", event.before, phase_names());
+    to.has("to", event.after, phase_names());
+    if constexpr (State::SizeAtCompileTime == Eigen::Dynamic) {
+      to.has("from_piece", event.piece_before + 1, {{"minimum", 1}});
+      to.has("to_piece", event.piece_after + 1, {{"minimum", 1}});
+    }
+    to.has("r", event.r);
+    to.has("state", event.X, state);
+  };
   json.object("events", [&](tools::Object& to) {
     const tools::Json few = {{"maxItems", record.shown}};
     to.has("count", record.events, {{"minimum", 0}});
     to.list("first", record.first_events, write_event, few);
     to.list("last", record.last_events, write_event, few);
   });
+}
+
+// A line of names, with their units if they are in SI; a line for a sample: t, phase, the coordinates, r, u,
+// E; numbers with 17 digits.
+[[nodiscard]] inline std::string csv_names(const std::vector<Coordinate>& coordinates) {
+  const bool in_SI = !coordinates.front().unit.empty();
+  return fmt::format("t{},phase,{},r{},u{},E{}\n", in_SI ? " in s" : "",
+                     tools::enumerated(coordinates, named, ","), in_SI ? " in N" : "", in_SI ? " in N" : "",
+                     in_SI ? " in J" : "");
+}
+template <class State>
+[[nodiscard]] std::string csv_line(const numeric::simulation::SampleOf<State>& s) {
+  return fmt::format("{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g}\n", s.time, to_string(s.phase),
+                     fmt::join(s.X.data(), s.X.data() + s.X.size(), ","), s.r, s.u, s.energy);
 }
 
 }  // namespace stickslip::report::orbits

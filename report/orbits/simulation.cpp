@@ -25,11 +25,6 @@ std::string data_of(const Start& s) {
                      s.data.us, s.ur, s.data.V, s.data.omega, s.data.p, s.phi);
 }
 
-std::string state_of(const model::Vector4<double>& X, const Units& units) {
-  return fmt::format("x1 = {:.9g}, x2 = {:.9g}, x1' = {:.9g}, x2' = {:.9g}{}", X(0), X(1), X(2), X(3),
-                     units.are_SI() ? " in m and m/s" : "");
-}
-
 std::string events(const Record& record, const Style& style, const Units& units) {
   // In SI units lengths of a machine are small.
   const auto number = [&](double x) -> Cell {
@@ -58,13 +53,15 @@ std::string events(const Record& record, const Style& style, const Units& units)
 std::string terminal_report(const Simulated& simulated, const Style& style, const Units& units) {
   const Record record = units.record(simulated.record);
   const double periods = record.done / record.period;
+  const std::vector<Coordinate> coordinates = coordinates_in(units);
   std::vector<Row> rows{
       {{"data"}, {data_of(record.start)}},
-      {{"start"}, {state_of(record.start.X, units)}},
+      {{"start"}, {state_in_words(record.start.X, coordinates)}},
       {{"simulated"},
        {fmt::format("{:.9g} periods of the load, t = {:.9g}{}{}", periods, record.done, units.unit(" s"),
                     record.interrupted ? "; interrupted" : "")}},
-      {{"end"}, {fmt::format("{}: {}", to_string(record.end.phase), state_of(record.end.X, units))}},
+      {{"end"},
+       {fmt::format("{}: {}", to_string(record.end.phase), state_in_words(record.end.X, coordinates))}},
       {{"shares"}, {shares_in_words(record)}},
       {{"energy"},
        {fmt::format("{:.6g}{} at the end", record.end.energy, units.unit(" J")) +
@@ -79,16 +76,6 @@ std::string terminal_report(const Simulated& simulated, const Style& style, cons
   return columns_of(rows, style.width) + events(record, style, units);
 }
 
-std::string csv_names(const Units& units) {
-  return units.are_SI() ? "t in s,phase,x1 in m,x2 in m,x1' in m/s,x2' in m/s,r in N,u in N,E in J\n"
-                        : "t,phase,x1,x2,x1',x2',r,u,E\n";
-}
-
-std::string csv_line(const Sample& s) {
-  return fmt::format("{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", s.time,
-                     to_string(s.phase), s.X(0), s.X(1), s.X(2), s.X(3), s.r, s.u, s.energy);
-}
-
 namespace {
 
 constexpr int digits_of_proof = 20;
@@ -101,14 +88,6 @@ std::vector<std::pair<std::string, double>> values_of(const Start& s) {
 }
 
 constexpr const char * state_words = "x1, x2, x1', x2'.";
-
-void write_event(Object& json, const Transition& e) {
-  json.has("t", e.time);
-  json.has("from", e.before, phase_names());
-  json.has("to", e.after, phase_names());
-  json.has("r", e.r);
-  json.has("state", e.X, state_words);
-}
 
 // Doubles are printed so that they are read back as they are.
 std::string command_of(const Simulated& simulated) {
@@ -145,7 +124,7 @@ void write_simulation(Object& json, const Simulated& simulated, const Units& uni
         to.has("greatest", energy.greatest);
       },
       "Of the samples.");
-  write_events(json, record, write_event);
+  write_events(json, record, state_words);
   json.object_if(
       "settles", simulated.settles,
       [&](Object& to, const numeric::attractors::Attractor& a) {

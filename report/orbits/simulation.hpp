@@ -1,4 +1,4 @@
-// A simulated motion for readers: text, JSON, CSV, picture.
+// A simulated motion for readers: text, JSON, picture; its table is that of any (record_json.hpp).
 #pragma once
 
 #include <cstddef>
@@ -33,11 +33,6 @@ struct Simulated {
 // it was not seen.
 [[nodiscard]] tools::Json to_json(Simulated simulated, const Units& units = {});
 [[nodiscard]] tools::File simulation_schema();
-
-// A line of names, with their units if they are in SI; a line for a sample: t, phase, x1, x2, x1', x2', r, u,
-// E; numbers with 17 digits.
-[[nodiscard]] std::string csv_names(const Units& units = {});
-[[nodiscard]] std::string csv_line(const numeric::simulation::Sample& sample);
 
 // The samples that a picture shows, a bounded number of them whatever the length of the motion: the last
 // ones, and some from the beginning to the end.
