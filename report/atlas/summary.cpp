@@ -69,8 +69,7 @@ std::string terminal_report(const Question& q, const std::vector<Leaf>& leaves, 
     head.push_back(
         {{"missing"}, {fmt::format("{} was not looked at; go on with --resume", percent(missing))}});
   }
-  std::string text = tools::columns_of({{{"Atlas: " + q.family->title, orbits::bold(style)}}}, style.width) +
-                     tools::columns_of(head, style.width);
+  std::string text = orbits::headed("Atlas: " + q.family->title, head, style);
   std::vector<tools::Row> rows{{{"share"}, {"proved in every point of it"}}};
   for (const auto& [counts, v] : by_volume(all.counts)) {
     rows.push_back({{percent(v)}, {in_words(counts)}});

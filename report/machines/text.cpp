@@ -22,10 +22,6 @@ using attractors::Kind;
 
 namespace {
 
-std::string heading(const std::string& words, const Style& style) {
-  return columns_of({{{words, orbits::bold(style)}}}, style.width);
-}
-
 std::string orbit_text(const MachineOrbit& orbit, const Seen& seen, int digits, std::size_t number,
                        const Style& style) {
   const Row title{{fmt::format("Orbit {}:", number), orbits::bold(style)},
@@ -60,10 +56,12 @@ std::vector<Row> starts_row(const MachineAttractors& list) {
             orbits::interruption_in_words(list.interrupted, list.followed)}}};
 }
 
-std::string machine_text(const Seen& seen, const Style& style, const std::vector<Row>& more) {
+// The machine below a title, and what else is to be said.
+std::string machine_text(const std::string& title, const Seen& seen, const Style& style,
+                         const std::vector<Row>& more = {}) {
   std::vector<Row> rows = machine_rows(seen);
   rows.insert(rows.end(), more.begin(), more.end());
-  return columns_of(rows, style.width);
+  return orbits::headed(title, rows, style);
 }
 
 }  // namespace
@@ -71,7 +69,7 @@ std::string machine_text(const Seen& seen, const Style& style, const std::vector
 std::string terminal_report(const Attractors& list, const Style& style) {
   const Seen seen = seen_of(list);
   std::string text =
-      heading("What the machine does", style) + machine_text(seen, style, starts_row(list)) + "\n" +
+      machine_text("What the machine does", seen, style, starts_row(list)) + "\n" +
       table_of(told(list.attractors, seen), "period" + seen.unit("s"), orbits::WithInterval::yes, style);
   std::vector<MachineOrbit> proved;
   for (std::size_t i = 0; i < list.attractors.size(); ++i) {
@@ -101,10 +99,9 @@ std::string terminal_report(const WordOrbits& list, const Style& style) {
        {fmt::format("{}{}{}", list.orbits.empty() ? "none was found" : std::to_string(list.orbits.size()),
                     list.orbits.empty() && !list.seen.empty() ? ": " + list.seen : "",
                     list.interrupted ? "; interrupted" : "")}}};
-  std::string text = heading(fmt::format("Orbits through {}{}", q.word.letters(),
-                                         q.periods ? fmt::format(", period {}", *q.periods) : ""),
-                             style) +
-                     machine_text(seen, style, more);
+  const std::string period = q.periods ? fmt::format(", period {}", *q.periods) : "";
+  std::string text =
+      machine_text(fmt::format("Orbits through {}{}", q.word.letters(), period), seen, style, more);
   for (std::size_t k = 0; k < list.orbits.size(); ++k) {
     text += orbit_text(list.orbits[k], seen, q.digits, k + 1, style);
   }
@@ -133,14 +130,13 @@ std::string terminal_report(const Branches& result, const Style& style) {
   std::vector<Row> more{
       {{"branches"},
        {fmt::format("{} from {}{}", result.branches.size(), start_of(result.varied), what_else(result))}}};
-  std::string text = heading(fmt::format("{} along {}", result.question.word.letters(),
-                                         range_of(result.varied, result.origin)),
-                             style) +
-                     machine_text(seen_of(result), style, more);
+  std::string text = machine_text(
+      fmt::format("{} along {}", result.question.word.letters(), range_of(result.varied, result.origin)),
+      seen_of(result), style, more);
   for (std::size_t k = 0; k < result.branches.size(); ++k) {
-    const BranchRows rows = rows_of(result.branches[k]);
-    text +=
-        "\n" + heading(fmt::format("Branch {}", k + 1), style) + labelled(2, "", rows.heading, style.width);
+    const orbits::BranchRows rows = rows_of(result.branches[k]);
+    text += "\n" + orbits::headed(fmt::format("Branch {}", k + 1), {}, style) +
+            labelled(2, "", rows.heading, style.width);
     text += indented({{"from"}, {"to"}, {"motions"}, {"they are"}}, rows.pieces, style);
     if (!rows.changes.empty()) {
       text += indented({{"at " + result.varied.path}, {"change"}, {""}}, rows.changes, style);
@@ -153,12 +149,12 @@ std::string terminal_report(const OverBox& result, const Style& style) {
   std::vector<Row> more{
       {{"box"}, {box_of(result)}},
       {{"motions"}, {fmt::format("{} at {}{}", result.motions.size(), start_of(result), what_else(result))}}};
-  std::string text = heading(fmt::format("{} over a box of data", result.question.word.letters()), style) +
-                     machine_text(seen_of(result), style, more);
+  std::string text = machine_text(fmt::format("{} over a box of data", result.question.word.letters()),
+                                  seen_of(result), style, more);
   for (std::size_t k = 0; k < result.motions.size(); ++k) {
     const OverBox::Family& family = result.motions[k];
     const BoxRows rows = rows_of(result, family);
-    text += "\n" + heading(fmt::format("Motion {}: {}", k + 1, remark(family.at_start)), style) +
+    text += "\n" + orbits::headed(fmt::format("Motion {}: {}", k + 1, remark(family.at_start)), {}, style) +
             labelled(2, "", rows.heading, style.width);
     text += indented({{"of the box"}, {"parts"}, {"motions are"}}, rows.kinds, style);
   }
@@ -172,8 +168,7 @@ std::string terminal_report(const Steady& result, const Style& style) {
   if (result.basin) {
     std::ranges::move(rows_of(*result.basin, seen, digits), std::back_inserter(rows));
   }
-  return heading("Steady sliding", style) + machine_text(seen, style, {}) + "\n" +
-         columns_of(rows, style.width);
+  return machine_text("Steady sliding", seen, style) + "\n" + columns_of(rows, style.width);
 }
 
 std::string terminal_report(const SteadyBranch& result, const Style& style) {
@@ -192,8 +187,9 @@ std::string terminal_report(const SteadyBranch& result, const Style& style) {
                     {name(now->state)}});
     now = next;
   }
-  std::string text = heading("Steady sliding along " + range_of(result.varied, result.origin), style) +
-                     machine_text(seen, style, {}) + "\n" + columns_of(rows, style.width);
+  std::string text =
+      machine_text("Steady sliding along " + range_of(result.varied, result.origin), seen, style) + "\n" +
+      columns_of(rows, style.width);
   std::vector<Row> changes = rows_of(result.along, seen);
   if (result.basins) {
     const Rectangle& r = result.basins->starts;
@@ -230,7 +226,7 @@ std::string terminal_report(const Motion& result, const Style& style) {
   const auto piece = [](motion::PhaseKind kind, int number) {
     return number == 0 ? to_string(kind) : fmt::format("{}, piece {}", to_string(kind), number + 1);
   };
-  return heading("A motion of the machine", style) + machine_text(seen, style, rows) +
+  return machine_text("A motion of the machine", seen, style, rows) +
          orbits::event_table(names, record, style, [&](const auto& e) {
            Row row{{fmt::format("  {:.9g}", e.time)},
                    {piece(e.before, e.piece_before)},
@@ -328,8 +324,7 @@ std::string terminal_report(const SetMotion& set, const Style& style) {
   for (const auto& [reason, share] : set.open) {
     head.push_back({{"open"}, {fmt::format("{:.3g} %: {}", 100 * share, reason)}});
   }
-  std::string text =
-      heading("Where a set of starts is after some time", style) + machine_text(seen, style, head);
+  std::string text = machine_text("Where a set of starts is after some time", seen, style, head);
   const auto all = set.hull();
   if (all.size() == 0) {
     return text;

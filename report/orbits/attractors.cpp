@@ -109,17 +109,16 @@ std::vector<Row> rows_of(const AttractorList& list) {
 }
 
 std::string terminal_report(const AttractorList& list, const Style& style, const Units& units) {
-  std::string text = columns_of({{{"What the machine does", bold(style)}}}, style.width) +
-                     columns_of(rows_of(list), style.width);
   const std::vector<ToldEnding> all = told(list.attractors);
   const std::string recover = neighbourhoods_of(all, coordinates_in(units), style);
-  text += "\n" + table_of(all, "period", WithInterval::yes, style) + recover;
   std::vector<Row> rows{
       {{"   "}, {fmt::format("x1,x2,x1',x2'{} at load phase 0", units.are_SI() ? " in m and m/s" : "")}}};
   for (std::size_t i = 0; i < list.attractors.size(); ++i) {
     rows.push_back({{std::to_string(i + 1)}, {state_of(units.state(list.attractors[i].state))}});
   }
-  return text + "\n" + columns_of(rows, style.width) + "\n" +
+  return headed("What the machine does", rows_of(list), style) + "\n" +
+         table_of(all, "period", WithInterval::yes, style) + recover + "\n" + columns_of(rows, style.width) +
+         "\n" +
          labelled(0, "share",
                   "of the starts, with Wilson's interval of 95 %; what is said to be proved is; everything "
                   "else is a check in floating point",

@@ -224,9 +224,7 @@ std::string terminal_report(const BranchList& list, const Style& style) {
     rows.push_back({{"unresolved"}, {part[0].text + ": " + part[1].text}});
   }
   std::string text =
-      columns_of({{{fmt::format("Branches along {}. {}", q.parameter, q.orbits.family->title), bold(style)}}},
-                 style.width) +
-      columns_of(rows, style.width);
+      headed(fmt::format("Branches along {}. {}", q.parameter, q.orbits.family->title), rows, style);
   for (std::size_t k = 0; k < list.branches.size(); ++k) {
     text += branch_text(list.branches[k], q, k + 1, style);
   }

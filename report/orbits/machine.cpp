@@ -152,8 +152,7 @@ std::vector<Row> machine_rows(const DataTaken& taken, int digits) {
 }
 
 std::string terminal_report(const DataTaken& taken, const Style& style, int digits) {
-  return columns_of({{{"A machine in SI units", bold(style)}}}, style.width) +
-         columns_of(machine_rows(taken, digits), style.width) + "\n";
+  return headed("A machine in SI units", machine_rows(taken, digits), style) + "\n";
 }
 
 std::vector<std::pair<std::string, Rational>> values_in_SI(const MachineInSI& m) {

@@ -92,7 +92,7 @@ std::string titled(const std::string& title, const SeenOscillator& o, const std:
                    const Style& style) {
   std::vector<Row> rows = o.rows;
   rows.insert(rows.end(), question.begin(), question.end());
-  return columns_of({{{title, bold(style)}}}, style.width) + columns_of(rows, style.width) + "\n";
+  return headed(title, rows, style) + "\n";
 }
 
 }  // namespace

@@ -93,6 +93,10 @@ std::string bold(const Style& style) {
   return style.colour ? "\x1b[1m" : "";
 }
 
+std::string headed(const std::string& heading, const std::vector<Row>& rows, const Style& style) {
+  return columns_of({{{heading, bold(style)}}}, style.width) + columns_of(rows, style.width);
+}
+
 std::string colour_of(Truth truth, const Style& style) {
   if (!style.colour) {
     return {};
@@ -158,7 +162,7 @@ std::string head(const Listed& listed, const Style& style) {
   for (const Unresolved& part : list.unresolved) {
     rows.push_back({{"unresolved"}, {place_text(part.where) + part.reason}});
   }
-  return columns_of({{{listed.title, bold(style)}}}, style.width) + columns_of(rows, style.width);
+  return headed(listed.title, rows, style);
 }
 
 bool is_given(const NamedBall& value, const OrbitQuestion& question) {

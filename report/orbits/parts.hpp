@@ -79,6 +79,9 @@ void write_durations(tools::Object& json, const numeric::motion::Motion& motion,
 [[nodiscard]] std::string shown(const std::optional<Ball>& margin);
 
 // For a terminal: the escape sequences, empty without colours; lines that begin with two spaces.
+// A heading, and the rows below it.
+[[nodiscard]] std::string headed(const std::string& heading, const std::vector<tools::Row>& rows,
+                                 const tools::Style& style);
 [[nodiscard]] std::string bold(const tools::Style& style);
 [[nodiscard]] std::string colour_of(Truth truth, const tools::Style& style);
 [[nodiscard]] std::string stability_rows(const numeric::Orbit& orbit, int digits, const tools::Style& style);

@@ -111,9 +111,7 @@ std::string terminal_report(const PureWord& word, const Style& style, const Unit
     const std::vector<Row> more = which(word, units);
     rows.insert(rows.end(), more.begin(), more.end());
   }
-  return columns_of({{{fmt::format("Motions that {} for ever", verb(word.kind)), bold(style)}}},
-                    style.width) +
-         columns_of(rows, style.width);
+  return headed(fmt::format("Motions that {} for ever", verb(word.kind)), rows, style);
 }
 
 Json to_json(const PureWord& word, const Units& units) {
