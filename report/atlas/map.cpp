@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
@@ -46,7 +47,7 @@ struct Legend {
 Legend legend_of(const Tally& all) {
   const auto percent = [](std::uint64_t v) { return 100 * share(v).get_d(); };
   Legend legend;
-  for (const auto& [c, v] : by_volume(all.counts)) {
+  for (const auto& [c, v] : tools::largest_first(all.counts)) {
     legend.counts[c] = legend.kinds.size();
     legend.kinds.push_back({fmt::format("{:.2f} %: {} orbits, {} admissible, {} stable", percent(v), c.orbits,
                                         c.admissible, c.stable),

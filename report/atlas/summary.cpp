@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -71,14 +70,14 @@ std::string terminal_report(const Question& q, const std::vector<Leaf>& leaves, 
   }
   std::string text = orbits::headed("Atlas: " + q.family->title, head, style);
   std::vector<tools::Row> rows{{{"share"}, {"proved in every point of it"}}};
-  for (const auto& [counts, v] : by_volume(all.counts)) {
+  for (const auto& [counts, v] : tools::largest_first(all.counts)) {
     rows.push_back({{percent(v)}, {in_words(counts)}});
   }
   if (rows.size() > 1) {
     text += "\n" + tools::columns_of(rows, style.width);
   }
   rows = {{{"share"}, {"left open"}}};
-  for (const auto& [reason, v] : by_volume(all.reasons)) {
+  for (const auto& [reason, v] : tools::largest_first(all.reasons)) {
     rows.push_back({{percent(v)}, {sentence_of(*q.family, static_cast<std::uint8_t>(reason))}});
   }
   if (rows.size() > 1) {
@@ -124,14 +123,14 @@ void write_tally(Object& json, const Question& q, const Tally& all) {
     write_volume(to, "open", all.open);
     write_volume(to, "not_examined", volume(whole) - all.covered());
   });
-  json.list("counts", by_volume(all.counts), [](Object& to, const auto& row) {
+  json.list("counts", tools::largest_first(all.counts), [](Object& to, const auto& row) {
     const Json number = {{"minimum", 0}};
     to.has("orbits", row.first.orbits, number);
     to.has("admissible", row.first.admissible, number);
     to.has("stable", row.first.stable, number);
     write_volume(to, "volume", row.second);
   });
-  json.list("reasons", by_volume(all.reasons), [&](Object& to, const auto& row) {
+  json.list("reasons", tools::largest_first(all.reasons), [&](Object& to, const auto& row) {
     to.has("reason", plain(sentence_of(*q.family, static_cast<std::uint8_t>(row.first))));
     write_volume(to, "volume", row.second);
   });

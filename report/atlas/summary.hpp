@@ -1,12 +1,7 @@
 // An atlas for readers: in words, as JSON, as a table, as a map.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <functional>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "numeric/atlas/work.hpp"
@@ -18,15 +13,6 @@ namespace stickslip::report::atlas {
 
 // The sentences of all reasons that a box of the family may be left open for, by their numbers.
 [[nodiscard]] std::vector<std::string> all_reasons(const numeric::families::Family& family);
-
-// Counts, or reasons, with their volumes: the largest first.
-template <class Key>
-[[nodiscard]] std::vector<std::pair<Key, std::uint64_t>> by_volume(
-    const std::map<Key, std::uint64_t>& volumes) {
-  std::vector<std::pair<Key, std::uint64_t>> rows(volumes.begin(), volumes.end());
-  std::ranges::stable_sort(rows, std::greater(), &std::pair<Key, std::uint64_t>::second);
-  return rows;
-}
 
 // How much is decided, and what is found where; for leaves that need not cover the whole.
 [[nodiscard]] std::string terminal_report(const numeric::atlas::Question& question,

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 
 #include "core/decimal.hpp"
@@ -444,9 +443,7 @@ BoxRows rows_of(const OverBox& result, const OverBox::Family& family) {
                 decided == exists ? "all of them" : percent(Rational(decided / whole)) + " of the box"),
       decided == whole,
       {}};
-  std::vector<std::pair<std::string, KindOfPart>> order(kinds.begin(), kinds.end());
-  std::ranges::stable_sort(order, std::greater(), [](const auto& one) { return one.second.volume; });
-  for (const auto& [words, kind] : order) {
+  for (const auto& [words, kind] : largest_first(kinds, &KindOfPart::volume)) {
     std::string where;
     for (std::size_t k = 0; k < result.data.size(); ++k) {
       const auto& [path, from, to, start] = result.data[k];

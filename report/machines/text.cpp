@@ -297,18 +297,14 @@ std::string terminal_report(const SetMotion& set, const Style& style) {
   for (const SetAfter::Part& part : set.parts) {
     words[part.phases()] += set.share(part);
   }
-  std::vector<std::pair<double, std::string>> by_share;
-  for (const auto& [word, share] : words) {
-    by_share.emplace_back(-share, word);
-  }
-  std::ranges::sort(by_share);
+  std::vector<std::pair<std::string, double>> by_share = largest_first(words);
   constexpr std::size_t most_words = 6;
   const std::size_t more = by_share.size() - std::min(by_share.size(), most_words);
   by_share.resize(by_share.size() - more);
   const std::string through =
       enumerated(by_share,
                  [](const auto& one) {
-                   return fmt::format("{} ({:.3g} %)", orbits::shortened(one.second), -100 * one.first);
+                   return fmt::format("{} ({:.3g} %)", orbits::shortened(one.first), 100 * one.second);
                  }) +
       (more > 0 ? fmt::format(" and {} more", more) : "");
   std::vector<Row> head{

@@ -1,9 +1,12 @@
 // Text in columns and paragraphs of a given width.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip::report::tools {
@@ -50,6 +53,16 @@ template <class Range, class Function = std::identity>
     first = false;
   }
   return text;
+}
+
+// The members of a map, those first of which `size` makes the most.
+template <class Key, class Value, class Size = std::identity>
+[[nodiscard]] std::vector<std::pair<Key, Value>> largest_first(const std::map<Key, Value>& all,
+                                                               const Size& size = {}) {
+  std::vector<std::pair<Key, Value>> rows(all.begin(), all.end());
+  std::ranges::stable_sort(rows, std::greater(),
+                           [&](const auto& row) { return std::invoke(size, row.second); });
+  return rows;
 }
 
 // A word of the program without its underscores: "as printed" for to_string(Status::as_printed).
