@@ -154,21 +154,15 @@ std::vector<File> pages(const WordOrbits& result) {
 std::string plot_script(const Branches& result, PlotFormat format, PlotShape shape) {
   orbits::BranchCurves curves;
   const std::size_t j = result.question.machine.oscillator.rubbing;
-  const auto place = [&](const MachineSample& s) {
-    return s.orbit.phases.front().state(static_cast<Eigen::Index>(j)).approximate();
-  };
   for (const MachineBranch& branch : result.branches) {
+    curves.begin();
     for (const MachineSample& s : branch.samples) {
-      curves.add(s.state, s.value.get_d(), place(s));
+      curves.add(s.state, s.value.get_d(),
+                 s.orbit.phases.front().state(static_cast<Eigen::Index>(j)).approximate());
     }
     curves.end();
     for (const MachineChange& change : branch.changes) {
-      const double at = Rational((change.first + change.last) / 2).get_d();
-      const auto nearest = std::ranges::min_element(
-          branch.samples, {}, [&](const MachineSample& s) { return std::abs(s.value.get_d() - at); });
-      if (nearest != branch.samples.end()) {
-        curves.mark(change.kind, at, place(*nearest));
-      }
+      curves.mark(change.kind, Rational((change.first + change.last) / 2).get_d());
     }
   }
   const std::string x = fmt::format("x{}{}", j + 1, result.origin.in_SI ? " in m" : "");
@@ -188,23 +182,14 @@ std::vector<File> pages(const Branches& result) {
   data["branches"] = Json::array();
   data["at_values"] = true;
   data["what_is_drawn"] = fmt::format("the {}, of each motion that was proved", drawn);
-  const auto cells = [](const std::vector<Row>& rows, const std::vector<std::string>& names) {
-    return list_of(rows, [&](const Row& row) {
-      Json cell;
-      for (std::size_t k = 0; k < names.size(); ++k) {
-        cell[names[k]] = row[k].text;
-      }
-      return cell;
-    });
-  };
   for (const MachineBranch& branch : result.branches) {
-    const BranchRows rows = rows_of(branch);
+    const orbits::BranchRows rows = rows_of(branch);
     Json one = {{"number", data["branches"].size() + 1},
                 {"tone", branch.resolved() ? "proved" : "undecided"},
                 {"tell", branch.resolved() ? "each motion proved" : "undecided in part"},
                 {"heading", rows.heading},
-                {"pieces", cells(rows.pieces, {"from", "to", "count", "state"})},
-                {"changes", cells(rows.changes, {"at", "words", "verdict"})}};
+                {"pieces", orbits::cells(rows.pieces, {"from", "to", "count", "state"})},
+                {"changes", orbits::cells(rows.changes, {"at", "words", "verdict"})}};
     for (Json& change : one["changes"]) {
       change["tone"] = "proved";
     }
@@ -318,9 +303,7 @@ std::vector<File> pages(const OverBox& result) {
              {"what_is_drawn",
               fmt::format("the parts of the box{}, and what motions are in them",
                           result.data.size() > 2 ? " where the other data are those of the start" : "")}};
-    one["kinds"] = list_of(rows.kinds, [](const Row& row) {
-      return Json{{"share", row[0].text}, {"parts", row[1].text}, {"words", row[2].text}};
-    });
+    one["kinds"] = orbits::cells(rows.kinds, {"share", "parts", "words"});
     std::ranges::move(
         orbits::pictures(
             [&](PlotFormat format, PlotShape shape) { return plot_script(result, format, shape, k); }, stem),

@@ -349,12 +349,13 @@ std::string between(const MachineBranch& branch, std::ptrdiff_t first, std::ptrd
 
 }  // namespace
 
-BranchRows rows_of(const MachineBranch& branch) {
-  BranchRows rows{fmt::format("From {}, {}, to {}, {}: {} motions on the way, each proved on its own.{}",
-                              short_number(branch.first.at), branch.first.words, short_number(branch.last.at),
-                              branch.last.words, branch.samples.size(), gaps_of(branch)),
-                  {},
-                  {}};
+orbits::BranchRows rows_of(const MachineBranch& branch) {
+  orbits::BranchRows rows{
+      fmt::format("From {}, {}, to {}, {}: {} motions on the way, each proved on its own.{}",
+                  short_number(branch.first.at), branch.first.words, short_number(branch.last.at),
+                  branch.last.words, branch.samples.size(), gaps_of(branch)),
+      {},
+      {}};
   const auto begin = branch.samples.begin();
   for (auto now = branch.samples.begin(); now != branch.samples.end();) {
     const auto next = std::find_if(now, branch.samples.end(),

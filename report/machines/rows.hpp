@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "report/machines/results.hpp"
+#include "report/orbits/branches.hpp"
 #include "report/orbits/neighbourhood.hpp"
 
 namespace stickslip::report::machines {
@@ -62,11 +63,7 @@ struct Seen {
 
 // Of a branch: how it begins and ends; from, to, how many motions and their state where it is one; place,
 // kind and name of each change.
-struct BranchRows {
-  std::string heading;
-  std::vector<tools::Row> pieces, changes;
-};
-[[nodiscard]] BranchRows rows_of(const numeric::machines::MachineBranch& branch);
+[[nodiscard]] orbits::BranchRows rows_of(const numeric::machines::MachineBranch& branch);
 // Of motions over a box of data: what is proved of all parts; then, the largest share of the box first, of
 // each kind of part its share, how many parts, what the motions are in them and where in the box they lie.
 struct BoxRows {

@@ -1,7 +1,6 @@
 #include "report/orbits/branches.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -99,17 +98,23 @@ std::string branch_text(const Branch& branch, const BranchQuestion& q, std::size
 
 }  // namespace
 
-SampleValues values_of(const BranchQuestion& q, const Sample& sample) {
-  const motion::MotionOf<double>& m = sample.motion;
-  const Units units = units_at(q, sample.value);
-  const auto& first = m.phases.front();
-  const model::Vector4<double> X =
-      units.state({first.Z(0) + m.oscillator.d0(0), first.Z(1) + m.oscillator.d0(1), first.Z(2), first.Z(3)});
-  SampleValues values{{}, first.load, X(0), X(1), X(2)};
-  for (const auto& phase : m.phases) {
-    values.durations.push_back(units.time(phase.duration));
+std::vector<OrbitOfBranch> orbits_of(const Branch& branch, const BranchQuestion& q) {
+  std::vector<OrbitOfBranch> orbits;
+  for (std::size_t k = 0; k < branch.pieces.size(); ++k) {
+    for (const Sample& sample : branch.pieces[k].samples) {
+      const motion::MotionOf<double>& m = sample.motion;
+      const Units units = units_at(q, sample.value);
+      const auto& first = m.phases.front();
+      model::Vector4<double> X = first.Z;
+      X.head<2>() += m.oscillator.d0;
+      X = units.state(X);
+      orbits.push_back({k + 1, branch.pieces[k].state, sample.value, {}, first.load, X(0), X(1), X(2)});
+      for (std::size_t i = 0; i < m.phases.size(); ++i) {
+        orbits.back().durations.emplace_back(q.orbits.family->durations[i], units.time(m.phases[i].duration));
+      }
+    }
   }
-  return values;
+  return orbits;
 }
 
 std::optional<Ball> time_of(const BranchQuestion& q, const Change& change) {
@@ -238,17 +243,19 @@ std::string to_csv(const BranchList& list) {
   std::string text = q.parameter + ",branch,piece,state," +
                      enumerated(q.orbits.family->durations, std::identity(), ",") + ",phi,x10,x20,xdot10\n";
   for (std::size_t b = 0; b < list.branches.size(); ++b) {
-    const std::vector<Piece>& pieces = list.branches[b].pieces;
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-      for (const Sample& sample : pieces[k].samples) {
-        const SampleValues s = values_of(q, sample);
-        text += fmt::format("{:.17g},{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", sample.value, b + 1,
-                            k + 1, to_string(pieces[k].state), fmt::join(s.durations, ","), s.phi, s.x10,
-                            s.x20, s.xdot10);
+    for (const OrbitOfBranch& o : orbits_of(list.branches[b], q)) {
+      text += fmt::format("{:.17g},{},{},{},", o.value, b + 1, o.piece, to_string(o.state));
+      for (const auto& [name, duration] : o.durations) {
+        text += fmt::format("{:.17g},", duration);
       }
+      text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", o.phi, o.x10, o.x20, o.xdot10);
     }
   }
   return text;
+}
+
+void BranchCurves::begin() {
+  points_.clear();
 }
 
 void BranchCurves::add(State state, double parameter, double x) {
@@ -261,6 +268,7 @@ void BranchCurves::add(State state, double parameter, double x) {
   }
   now_ = curve;
   curves_.at(static_cast<std::size_t>(now_)) += fmt::format("{:.10g} {:.8g}\n", parameter, x);
+  points_.emplace_back(parameter, x);
 }
 
 void BranchCurves::end() {
@@ -270,8 +278,12 @@ void BranchCurves::end() {
   now_ = -1;
 }
 
-void BranchCurves::mark(ChangeKind kind, double parameter, double x) {
-  marks_.at(static_cast<std::size_t>(kind)) += fmt::format("{:.10g} {:.8g}\n", parameter, x);
+void BranchCurves::mark(ChangeKind kind, double parameter) {
+  const auto nearest = std::ranges::min_element(
+      points_, {}, [&](const auto& point) { return std::abs(point.first - parameter); });
+  if (nearest != points_.end()) {
+    marks_.at(static_cast<std::size_t>(kind)) += fmt::format("{:.10g} {:.8g}\n", parameter, nearest->second);
+  }
 }
 
 std::string BranchCurves::script(const Labels& labels, PlotFormat format, PlotShape shape) const {
@@ -318,24 +330,17 @@ std::string plot_script(const BranchList& list, PlotFormat format, PlotShape sha
   const BranchQuestion& q = list.question;
   BranchCurves curves;
   for (const Branch& branch : list.branches) {
-    for (const Piece& piece : branch.pieces) {
-      for (const Sample& s : piece.samples) {
-        curves.add(piece.state, s.value, values_of(q, s).x20);
+    curves.begin();
+    std::size_t piece = 1;
+    for (const OrbitOfBranch& o : orbits_of(branch, q)) {
+      if (o.piece != std::exchange(piece, o.piece)) {
+        curves.end();
       }
-      curves.end();
+      curves.add(o.state, o.value, o.x20);
     }
+    curves.end();
     for (const Change& change : branch.changes) {
-      const double at = change.at.approximate();
-      const Sample * nearest = nullptr;
-      for (const Piece& piece : branch.pieces) {
-        for (const Sample& s : piece.samples) {
-          nearest =
-              nearest == nullptr || std::abs(s.value - at) < std::abs(nearest->value - at) ? &s : nearest;
-        }
-      }
-      if (nearest != nullptr) {
-        curves.mark(change.kind, at, values_of(q, *nearest).x20);
-      }
+      curves.mark(change.kind, change.at.approximate());
     }
   }
   return curves.script({q.orbits.family->name, parameter_of(q), q.machine ? "x2 in m" : "x2",

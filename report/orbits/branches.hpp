@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "numeric/branches/branches.hpp"
+#include "report/orbits/orbit_words.hpp"
 #include "report/orbits/page.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"
@@ -23,7 +24,8 @@ namespace stickslip::report::orbits {
 [[nodiscard]] std::string to_csv(const numeric::branches::BranchList& list);
 
 // What these and the page are made of, rows of cells. Of a branch: how it begins and ends; from, to and state
-// of each piece; place, name and verdict, or its reason, of each change.
+// of each piece; place, name and verdict, or its reason, of each change. For machines of any number of masses
+// (report/machines/rows.hpp), too.
 struct BranchRows {
   std::string heading;
   std::vector<tools::Row> pieces, changes;
@@ -36,14 +38,17 @@ struct BranchRows {
 [[nodiscard]] std::vector<tools::Row> unresolved_rows(const numeric::branches::BranchList& list);
 [[nodiscard]] std::vector<tools::Row> count_rows(const numeric::branches::BranchList& list);
 
-// How long the phases of an orbit last, and its start, as the paper names it: all in SI units along a value
-// of a machine, else dimensionless.
-struct SampleValues {
-  std::vector<double> durations;
-  double phi, x10, x20, xdot10;
+// An orbit of a part of a branch, which is on a piece (1, 2, ...): how long its phases last, by their names,
+// and its start, as the paper names it: all in SI units along a value of a machine, else dimensionless.
+struct OrbitOfBranch {
+  std::size_t piece = 1;
+  numeric::branches::State state = numeric::branches::State::undecided;
+  double value = 0;
+  Named<double> durations = {};
+  double phi = 0, x10 = 0, x20 = 0, xdot10 = 0;
 };
-[[nodiscard]] SampleValues values_of(const numeric::branches::BranchQuestion& question,
-                                     const numeric::branches::Sample& sample);
+[[nodiscard]] std::vector<OrbitOfBranch> orbits_of(const numeric::branches::Branch& branch,
+                                                   const numeric::branches::BranchQuestion& question);
 // The same of where in the motion something changes, and of where there may be orbits.
 [[nodiscard]] std::optional<Ball> time_of(const numeric::branches::BranchQuestion& question,
                                           const numeric::branches::Change& change);
@@ -68,11 +73,12 @@ struct SampleValues {
 // A bifurcation diagram from its points.
 class BranchCurves {
  public:
-  // A point of the curve, in the order of the branch; the curve ends here.
+  // A branch begins; a point of the curve, in the order of the branch; the curve ends here.
+  void begin();
   void add(numeric::branches::State state, double parameter, double x);
   void end();
-  // Where something changes.
-  void mark(numeric::branches::ChangeKind kind, double parameter, double x);
+  // Where something changes: at the point of the branch that is nearest, if it has any.
+  void mark(numeric::branches::ChangeKind kind, double parameter);
 
   struct Labels {
     std::string orbits;     // whose branches they are
@@ -88,6 +94,7 @@ class BranchCurves {
  private:
   std::array<std::string, 4> curves_;
   std::array<std::string, 5> marks_;
+  std::vector<std::pair<double, double>> points_;  // of the branch
   int now_ = -1;
 };
 

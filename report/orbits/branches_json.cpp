@@ -32,7 +32,7 @@ void write_change(Object& json, const Change& change, const BranchQuestion& q) {
   json.has("words", change.words);
   json.has("at", ball_text(change.at, ball_digits));
   const auto time = time_of(q, change);
-  json.has("time", time ? std::optional(ball_text(*time, ball_digits)) : std::nullopt);
+  json.has("time", ball_text(time, ball_digits));
   json.has("verdict", change.verdict.truth, one_of({"proved", "undecided"}));
   json.has("reason", change.verdict.reason.empty() ? std::nullopt : std::optional(change.verdict.reason));
 }
@@ -60,35 +60,14 @@ void write_piece(Object& json, const Piece& piece) {
   json.has("violates", piece.condition.empty() ? std::nullopt : std::optional(piece.condition));
 }
 
-struct SampleOfPiece {
-  double value = 0;
-  State state = State::undecided;
-  std::vector<std::pair<std::string, double>> durations;
-  SampleValues start;
-};
-
-std::vector<SampleOfPiece> samples_of(const Branch& branch, const BranchQuestion& q) {
-  std::vector<SampleOfPiece> samples;
-  for (const Piece& piece : branch.pieces) {
-    for (const Sample& sample : piece.samples) {
-      SampleOfPiece one{sample.value, piece.state, {}, values_of(q, sample)};
-      for (std::size_t k = 0; k < one.start.durations.size(); ++k) {
-        one.durations.emplace_back(q.orbits.family->durations[k], one.start.durations[k]);
-      }
-      samples.push_back(std::move(one));
-    }
-  }
-  return samples;
-}
-
-void write_sample(Object& json, const SampleOfPiece& sample) {
+void write_sample(Object& json, const OrbitOfBranch& sample) {
   json.has("value", sample.value);
   json.has("state", sample.state, states());
   json.each(sample.durations);
-  json.has("phi", sample.start.phi);
-  json.has("x10", sample.start.x10);
-  json.has("x20", sample.start.x20);
-  json.has("xdot10", sample.start.xdot10);
+  json.has("phi", sample.phi);
+  json.has("x10", sample.x10);
+  json.has("x20", sample.x20);
+  json.has("xdot10", sample.xdot10);
 }
 
 void write_branch(Object& json, const Branch& branch, const BranchQuestion& q) {
@@ -98,7 +77,7 @@ void write_branch(Object& json, const Branch& branch, const BranchQuestion& q) {
   json.list("ends", std::array{branch.first, branch.last}, write_end, {{"minItems", 2}, {"maxItems", 2}});
   json.list("pieces", branch.pieces, write_piece);
   json.list("changes", branch.changes, [&](Object& to, const Change& c) { write_change(to, c, q); });
-  json.list("samples", samples_of(branch, q), write_sample, "In double: an orbit of each part of the proof.");
+  json.list("samples", orbits_of(branch, q), write_sample, "In double: an orbit of each part of the proof.");
 }
 
 void write_count(Object& json, const Count& count) {

@@ -25,16 +25,6 @@ bool is_decided(const Branch& branch) {
                              [](const Change& change) { return change.verdict.truth == Truth::proved; });
 }
 
-Json cells(const std::vector<Row>& rows, const std::vector<std::string>& names) {
-  return list_of(rows, [&](const Row& row) {
-    Json data;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      data[names[k]] = row[k].text;
-    }
-    return data;
-  });
-}
-
 Json branch_data(const Branch& branch, const BranchQuestion& q, std::size_t number) {
   const BranchRows told = rows_of(branch, q);
   const bool decided = is_decided(branch);

@@ -113,21 +113,6 @@ std::string contact_in_words(const Orbit& orbit) {
                      contact->condition, shown(contact->margin), shown(contact->at));
 }
 
-std::string stability_rows(const Orbit& orbit, int digits, const Style& style) {
-  if (!orbit.stability) {
-    return {};
-  }
-  const Stability& s = *orbit.stability;
-  std::vector<Row> rows{{{"  stability"}, {to_string(s.kind) + (s.reason.empty() ? "" : ": " + s.reason)}}};
-  for (const ComplexBall& mu : s.multipliers) {
-    rows.push_back({{"  multiplier"}, {complex_text(mu, digits)}});
-  }
-  if (const std::string contact = contact_in_words(orbit); !contact.empty()) {
-    rows.push_back({{"  nearest"}, {contact}});
-  }
-  return "\n" + columns_of(rows, style.width);
-}
-
 std::string condition_rows(const std::vector<Condition>& conditions, const Style& style) {
   std::vector<Row> rows{{{"  condition"}, {"verdict"}, {"margin"}, {"at t"}, {""}}};
   for (const Condition& c : conditions) {
@@ -207,6 +192,21 @@ std::string phases(const Motion& m, const Style& style, const Units& units) {
         {{"  ..."}, {fmt::format("{} more", m.phases.size() - most_phases)}, {""}, {""}, {""}, {""}});
   }
   return columns_of(rows, style.width);
+}
+
+std::string stability_rows(const Orbit& orbit, int digits, const Style& style) {
+  if (!orbit.stability) {
+    return {};
+  }
+  const Stability& s = *orbit.stability;
+  std::vector<Row> rows{{{"  stability"}, {to_string(s.kind) + (s.reason.empty() ? "" : ": " + s.reason)}}};
+  for (const ComplexBall& mu : s.multipliers) {
+    rows.push_back({{"  multiplier"}, {complex_text(mu, digits)}});
+  }
+  if (const std::string contact = contact_in_words(orbit); !contact.empty()) {
+    rows.push_back({{"  nearest"}, {contact}});
+  }
+  return "\n" + columns_of(rows, style.width);
 }
 
 std::string all_about(const Listed& listed, std::size_t i, const Style& style, const Units& units) {

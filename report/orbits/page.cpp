@@ -24,6 +24,16 @@ using namespace tools;
 using namespace numeric;
 using namespace numeric::motion;
 
+Json cells(const std::vector<Row>& rows, const std::vector<std::string>& names) {
+  return list_of(rows, [&](const Row& row) {
+    Json data;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      data[names[k]] = row[k].text;
+    }
+    return data;
+  });
+}
+
 Json rows_data(const std::vector<Row>& rows) {
   return list_of(rows, [](const Row& row) {
     const bool data = row[0].text == "parameters";
@@ -153,8 +163,7 @@ Json unresolved(const Unresolved& part) {
   return {{"where", list_of(part.where, value)}, {"reason", part.reason}};
 }
 
-}  // namespace
-
+// For screens alone.
 std::vector<File> screen_pictures(const ScriptOf& script, const std::string& stem) {
   const std::string wide = script(PlotFormat::svg, PlotShape::wide);
   if (wide.empty()) {
@@ -163,6 +172,8 @@ std::vector<File> screen_pictures(const ScriptOf& script, const std::string& ste
   return {{stem + ".svg", gnuplot(wide)},
           {stem + "-narrow.svg", gnuplot(script(PlotFormat::svg, PlotShape::narrow))}};
 }
+
+}  // namespace
 
 std::vector<File> pictures(const ScriptOf& script, const std::string& stem) {
   std::vector<File> files = screen_pictures(script, stem);

@@ -34,6 +34,8 @@ struct PageFrame {
 [[nodiscard]] tools::Json table(const char * anchor, const char * heading,
                                 const std::vector<tools::Row>& rows);
 [[nodiscard]] tools::Json rows_data(const std::vector<tools::Row>& rows);
+// The cells of each row under their names.
+[[nodiscard]] tools::Json cells(const std::vector<tools::Row>& rows, const std::vector<std::string>& names);
 
 // What all templates of pages ask for: title, origin, the machine as the first of the "tables".
 [[nodiscard]] tools::Json page_data(const PageFrame& frame, const std::string& title,
@@ -52,9 +54,8 @@ struct PageFrame {
 // gnuplot's script of one picture; empty when there is nothing to draw.
 using ScriptOf = std::function<std::string(tools::PlotFormat, tools::PlotShape)>;
 
-// STEM.svg and STEM-narrow.svg, for screens; and STEM.pdf. Without dates; none when there is nothing to draw.
+// STEM.svg and STEM-narrow.svg, for screens, and STEM.pdf. Without dates; none when there is nothing to draw.
 // Throw InputOutputError when gnuplot is missing or fails.
-[[nodiscard]] std::vector<tools::File> screen_pictures(const ScriptOf& script, const std::string& stem);
 [[nodiscard]] std::vector<tools::File> pictures(const ScriptOf& script, const std::string& stem);
 
 // All three of a list, or of one of its orbits.

@@ -1,7 +1,6 @@
 // The parts of an orbit that all of its reports share.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,12 +78,11 @@ void write_durations(tools::Object& json, const numeric::motion::Motion& motion,
 [[nodiscard]] std::string shown(const std::optional<Ball>& margin);
 
 // For a terminal: the escape sequences, empty without colours; lines that begin with two spaces.
+[[nodiscard]] std::string bold(const tools::Style& style);
 // A heading, and the rows below it.
 [[nodiscard]] std::string headed(const std::string& heading, const std::vector<tools::Row>& rows,
                                  const tools::Style& style);
-[[nodiscard]] std::string bold(const tools::Style& style);
 [[nodiscard]] std::string colour_of(Truth truth, const tools::Style& style);
-[[nodiscard]] std::string stability_rows(const numeric::Orbit& orbit, int digits, const tools::Style& style);
 [[nodiscard]] std::string condition_rows(const std::vector<numeric::motion::Condition>& conditions,
                                          const tools::Style& style);
 
