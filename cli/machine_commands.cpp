@@ -1,14 +1,13 @@
 // The commands about motions, of a machine in tables.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
 #include "cli/answer.hpp"
 #include "cli/commands.hpp"
+#include "cli/machine_answers.hpp"
 #include "report/machines/rows.hpp"
 #include "report/orbits/record_json.hpp"
-#include "cli/machine_answers.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::cli {
@@ -71,6 +70,7 @@ ExitCode told(const GivenInTables& given, const Options& o, const char * doing, 
   const Jobs limit = jobs(o.jobs);
   require_outputs(o);
   const auto result = worked_out(doing, [&] { return answer_to(given, o); });
+  using report::orbits::to_csv;
   if constexpr (requires { to_csv(result); }) {
     write_table_and_picture(o, result);
   }

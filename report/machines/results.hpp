@@ -123,19 +123,6 @@ struct SetMotion : numeric::machines::SetAfter {
 // The position of the mass on the belt is drawn: with a load once a period, without where phases begin.
 [[nodiscard]] orbits::ToldAlong told(const Diagram& result);
 [[nodiscard]] orbits::ToldPlane told(const Basins& result);
-template <class Result>
-concept OnManyStarts = requires(const Result& result) {
-  told(result);
-};
-[[nodiscard]] std::string terminal_report(const OnManyStarts auto& result, const tools::Style& style) {
-  return terminal_report(told(result), style);
-}
-[[nodiscard]] std::string to_csv(const OnManyStarts auto& result) {
-  return to_csv(told(result));
-}
-[[nodiscard]] std::string plot_script(const OnManyStarts auto& result, tools::PlotFormat format) {
-  return plot_script(told(result), format);
-}
 [[nodiscard]] std::string terminal_report(const WordOrbits& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const Branches& result, const tools::Style& style);
 [[nodiscard]] std::string terminal_report(const OverBox& result, const tools::Style& style);

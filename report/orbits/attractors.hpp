@@ -41,23 +41,6 @@ namespace stickslip::report::orbits {
 [[nodiscard]] ToldAlong told(const numeric::attractors::Diagram& diagram, const Units& units = {});
 [[nodiscard]] ToldPlane told(const numeric::attractors::Basins& basins, const Units& units = {});
 
-template <class Result>
-concept OnManyStarts = requires(const Result& result, const Units& units) {
-  told(result, units);
-};
-
-[[nodiscard]] std::string terminal_report(const OnManyStarts auto& result, const tools::Style& style,
-                                          const Units& units = {}) {
-  return terminal_report(told(result, units), style);
-}
-[[nodiscard]] std::string to_csv(const OnManyStarts auto& result, const Units& units = {}) {
-  return to_csv(told(result, units));
-}
-[[nodiscard]] std::string plot_script(const OnManyStarts auto& result, tools::PlotFormat format,
-                                      const Units& units = {}) {
-  return plot_script(told(result, units), format);
-}
-
 [[nodiscard]] tools::Json to_json(const numeric::attractors::Diagram& diagram, const Units& units = {});
 [[nodiscard]] tools::Json to_json(const numeric::attractors::Basins& basins, const Units& units = {});
 // Of these, and of attractors.hpp.

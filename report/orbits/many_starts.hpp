@@ -108,6 +108,28 @@ enum class WithInterval { no, yes };
 [[nodiscard]] std::string plot_script(const ToldAlong& along, tools::PlotFormat format);
 [[nodiscard]] std::string plot_script(const ToldPlane& plane, tools::PlotFormat format);
 
+// The same of a result that is told so, in these units if it has several.
+template <class Result, class... Units>
+concept OnManyStarts = requires(const Result& result, const Units&... units) {
+  told(result, units...);
+};
+template <class Result, class... Units>
+requires OnManyStarts<Result, Units...>
+[[nodiscard]] std::string terminal_report(const Result& result, const tools::Style& style,
+                                          const Units&... units) {
+  return terminal_report(told(result, units...), style);
+}
+template <class Result, class... Units>
+requires OnManyStarts<Result, Units...>
+[[nodiscard]] std::string to_csv(const Result& result, const Units&... units) {
+  return to_csv(told(result, units...));
+}
+template <class Result, class... Units>
+requires OnManyStarts<Result, Units...>
+[[nodiscard]] std::string plot_script(const Result& result, tools::PlotFormat format, const Units&... units) {
+  return plot_script(told(result, units...), format);
+}
+
 // For the page: the question; the table and the picture along a number; the picture of a plane in words. The
 // pictures are put to the files, if there is something to draw.
 [[nodiscard]] std::vector<tools::Row> question_rows(const ToldAlong& along);
