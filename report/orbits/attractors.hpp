@@ -15,11 +15,10 @@
 
 namespace stickslip::report::orbits {
 
-// As JSON, with its schema, the part that is about one machine. Keys that do not apply are
-// absent. The verdict on an attractor is on "there is exactly one orbit there"; its state is the motion's at
-// a time when the load's phase is 0, in double. States and durations are in the units, the data those of (2).
+// As JSON. Keys that do not apply are absent. The verdict on an attractor is on "there is exactly one orbit
+// there"; its state is the motion's at a time when the load's phase is 0, in double. States and durations are
+// in the units, the data those of (2).
 [[nodiscard]] tools::Json to_json(const numeric::attractors::AttractorList& list, const Units& units = {});
-[[nodiscard]] tools::Json schema_of_attractors();
 
 // A line for each attractor, then where they are. The parameters are those of (2) in any units, and so are
 // margins.
@@ -43,7 +42,7 @@ namespace stickslip::report::orbits {
 
 [[nodiscard]] tools::Json to_json(const numeric::attractors::Diagram& diagram, const Units& units = {});
 [[nodiscard]] tools::Json to_json(const numeric::attractors::Basins& basins, const Units& units = {});
-// Of these, and of attractors.hpp.
+// Of all three.
 [[nodiscard]] tools::File attractors_schema();
 
 // What gives the same result again.
