@@ -61,25 +61,28 @@ std::set<std::string> typed_of(const CLI::App& app) {
 // the help says of each stands in cli/help/.
 template <class Options>
 class Command {
+  struct Kept {  // as long as the command
+    Options options;
+    std::function<void()> check = [] {};
+  };
   CommandHelp help_;
-  std::shared_ptr<Options> kept_ = std::make_shared<Options>();  // as long as the command
+  std::shared_ptr<Kept> kept_ = std::make_shared<Kept>();
   CLI::App& app_;
 
  public:
-  Options& options = *kept_;
+  Options& options = kept_->options;
+  std::function<void()>& check = kept_->check;
 
-  Command(
-      CLI::App& program, Request& request, const Wording& wording, const std::string& name,
-      const std::function<void(Options&)>& check = [](Options&) {})
+  Command(CLI::App& program, Request& request, const Wording& wording, const std::string& name)
       : help_(help_of(name, wording)), app_(*program.add_subcommand(name, help_.words)) {
     app_.footer(help_.details);
-    app_.callback([kept = kept_, &app = app_, &request, check] {
+    app_.callback([kept = kept_, &app = app_, &request] {
       const std::set<std::string> typed = typed_of(app);
       if constexpr (std::is_base_of_v<GivenMachine, Options>) {
-        kept->typed = typed;
+        kept->options.typed = typed;
       }
-      check(*kept);
-      request = *kept;
+      kept->check();
+      request = kept->options;
     });
   }
 
@@ -155,14 +158,13 @@ void take_file(std::vector<std::string>& words, std::string& file) {
   }
 }
 
-void add_audit(CLI::App& program, Request& request, const Wording& wording) {
-  Command<AuditOptions> c(program, request, wording, "audit", [](AuditOptions& o) {
+void define(Command<AuditOptions>& c, AuditOptions& o) {
+  c.check = [&o] {
     if (!o.claims.empty() && !o.claims.ends_with(".claims")) {
       throw UsageError("stickslip audit does not know what to do with '" + o.claims +
                        "': a file of claims is called NAME.claims");
     }
-  });
-  AuditOptions& o = c.options;
+  };
   c.add("FILE", o.claims);
   c.add("--out", o.out);
   c.add_jobs();
@@ -175,10 +177,8 @@ void add_audit(CLI::App& program, Request& request, const Wording& wording) {
   c.add("--compare", o.compare)->excludes(json);
 }
 
-void add_check(CLI::App& program, Request& request, const Wording& wording) {
-  Command<CheckOptions> c(program, request, wording, "check",
-                          [](CheckOptions& o) { take_file(o.words, o.claims); });
-  CheckOptions& o = c.options;
+void define(Command<CheckOptions>& c, CheckOptions& o) {
+  c.check = [&o] { take_file(o.words, o.claims); };
   c.add("ID", o.words);
   CLI::Option * list = c.add("--list", o.list);
   c.add("--explain", o.explain);
@@ -186,9 +186,7 @@ void add_check(CLI::App& program, Request& request, const Wording& wording) {
   list->excludes(c.add("--json", o.json));
 }
 
-void add_prove(CLI::App& program, Request& request, const Wording& wording) {
-  Command<ProveOptions> c(program, request, wording, "prove");
-  ProveOptions& o = c.options;
+void define(Command<ProveOptions>& c, ProveOptions& o) {
   c.add("STATEMENT", o.statement)->required();
   c.add("ASSUMPTION", o.assumptions);
   c.add("--symbols", o.symbols)->delimiter(',');
@@ -197,27 +195,25 @@ void add_prove(CLI::App& program, Request& request, const Wording& wording) {
   explain->excludes(c.add("--json", o.json));
 }
 
-void add_certify(CLI::App& program, Request& request, const Wording& wording) {
-  Command<CertifyOptions> c(program, request, wording, "certify", [](CertifyOptions& o) {
+void define(Command<CertifyOptions>& c, CertifyOptions& o) {
+  c.check = [&o] {
     take_file(o.words, o.claims);
     if (o.out.empty() && o.record.empty()) {
       throw UsageError("stickslip certify needs --out DIR, or --record DIR");
     }
-  });
-  CertifyOptions& o = c.options;
+  };
   CLI::Option * ids = c.add("ID", o.words);
   CLI::Option * out = c.add("--out", o.out);
   c.add("--record", o.record)->excludes(out)->excludes(ids);
 }
 
-void add_latex(CLI::App& program, Request& request, const Wording& wording) {
-  Command<LatexOptions> c(program, request, wording, "latex", [](LatexOptions& o) {
+void define(Command<LatexOptions>& c, LatexOptions& o) {
+  c.check = [&o] {
     take_file(o.names, o.claims);  // a file goes with them, a name does not
     if (!o.names.empty() && (o.errata || !o.theorem.empty())) {
       throw UsageError(fmt::format("NAME and {} do not go together", o.errata ? "--errata" : "--theorem"));
     }
-  });
-  LatexOptions& o = c.options;
+  };
   CLI::Option * names = c.add("NAME", o.names);
   CLI::Option * list = c.add("--list", o.list);
   CLI::Option * bare = c.add("--bare", o.bare);
@@ -239,9 +235,7 @@ void add_latex(CLI::App& program, Request& request, const Wording& wording) {
   c.add("--digits", o.digits, OrbitsOptions::most_digits);
 }
 
-void add_orbits(CLI::App& program, Request& request, const Wording& wording) {
-  Command<OrbitsOptions> c(program, request, wording, "orbits");
-  OrbitsOptions& o = c.options;
+void define(Command<OrbitsOptions>& c, OrbitsOptions& o) {
   c.add("FAMILY", o.family);
   c.add_parameters();
   c.add("--period", o.period, OrbitsOptions::most_periods_of_word);
@@ -261,9 +255,7 @@ void add_orbits(CLI::App& program, Request& request, const Wording& wording) {
   c.add("--certify", o.certify);
 }
 
-void add_branch(CLI::App& program, Request& request, const Wording& wording) {
-  Command<BranchOptions> c(program, request, wording, "branch");
-  BranchOptions& o = c.options;
+void define(Command<BranchOptions>& c, BranchOptions& o) {
   c.add("FAMILY", o.family);
   c.add_parameters();
   c.add_sources();
@@ -285,10 +277,8 @@ void add_branch(CLI::App& program, Request& request, const Wording& wording) {
   c.add("--json", o.json);
 }
 
-void add_attractors(CLI::App& program, Request& request, const Wording& wording) {
+void define(Command<AttractorsOptions>& c, AttractorsOptions& o) {
   using Attracted = AttractorsOptions;
-  Command<Attracted> c(program, request, wording, "attractors");
-  Attracted& o = c.options;
   c.add_machine();
   c.add_sources();
   c.add("--starts", o.starts, Attracted::most_starts);
@@ -310,9 +300,7 @@ void add_attractors(CLI::App& program, Request& request, const Wording& wording)
   c.add("--json", o.json);
 }
 
-void add_atlas(CLI::App& program, Request& request, const Wording& wording) {
-  Command<AtlasOptions> c(program, request, wording, "atlas");
-  AtlasOptions& o = c.options;
+void define(Command<AtlasOptions>& c, AtlasOptions& o) {
   c.add("FAMILY", o.family);
   c.add_parameters();
   c.add_sources();
@@ -330,9 +318,7 @@ void add_atlas(CLI::App& program, Request& request, const Wording& wording) {
   c.add("--json", o.json);
 }
 
-void add_simulate(CLI::App& program, Request& request, const Wording& wording) {
-  Command<SimulateOptions> c(program, request, wording, "simulate");
-  SimulateOptions& o = c.options;
+void define(Command<SimulateOptions>& c, SimulateOptions& o) {
   c.add_parameters();
   c.add_sources();
   CLI::Option * orbit = c.add("--orbit", o.orbit);
@@ -346,6 +332,12 @@ void add_simulate(CLI::App& program, Request& request, const Wording& wording) {
   c.add("--plot", o.plot);
   c.add_units();
   c.add("--json", o.json);
+}
+
+template <class Options>
+void add(CLI::App& program, Request& request, const Wording& wording, const char * name) {
+  Command<Options> command(program, request, wording, name);
+  define(command, command.options);
 }
 
 // A statement that begins with a minus sign is no option: it is typed for the parser's other minus sign.
@@ -370,17 +362,17 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
   program.get_formatter()->column_width(16);
   const Wording wording = wording_of(paper);
   std::vector<std::string> words(argv + 1, argv + argc);
-  using Add = void (*)(CLI::App&, Request&, const Wording&);
-  const std::array<std::pair<const char *, Add>, 10> commands{{{"audit", add_audit},
-                                                               {"check", add_check},
-                                                               {"prove", add_prove},
-                                                               {"certify", add_certify},
-                                                               {"latex", add_latex},
-                                                               {"orbits", add_orbits},
-                                                               {"branch", add_branch},
-                                                               {"attractors", add_attractors},
-                                                               {"atlas", add_atlas},
-                                                               {"simulate", add_simulate}}};
+  using Add = void (*)(CLI::App&, Request&, const Wording&, const char *);
+  const std::array<std::pair<const char *, Add>, 10> commands{{{"audit", add<AuditOptions>},
+                                                               {"check", add<CheckOptions>},
+                                                               {"prove", add<ProveOptions>},
+                                                               {"certify", add<CertifyOptions>},
+                                                               {"latex", add<LatexOptions>},
+                                                               {"orbits", add<OrbitsOptions>},
+                                                               {"branch", add<BranchOptions>},
+                                                               {"attractors", add<AttractorsOptions>},
+                                                               {"atlas", add<AtlasOptions>},
+                                                               {"simulate", add<SimulateOptions>}}};
   const auto is_meant = [&](const char * name) { return !words.empty() && words.front() == name; };
   const bool one_is_meant =
       std::ranges::any_of(commands, is_meant, [](const auto& one) { return one.first; });
@@ -388,7 +380,7 @@ Request parse(int argc, const char * const * argv, const PaperInHelp& paper) {
     if (one_is_meant && !is_meant(name)) {
       program.add_subcommand(name, help_of(name).words);
     } else {
-      add(program, request, wording);
+      add(program, request, wording, name);
     }
   }
   program.allow_extras();

@@ -1,7 +1,6 @@
 // The arguments of the program, command by command, as they are typed.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <set>
 #include <string>
