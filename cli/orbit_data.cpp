@@ -86,11 +86,11 @@ void require_given(const TypedParameters& parameters, const std::vector<std::str
   }
 }
 
-TypedParameters given_parameters(const Examples& examples, const ParameterFile& file) {
+TypedParameters given_parameters(const Examples& examples, const ParameterFile& file, const Family * family) {
   TypedParameters all;
   if (!file.example.empty()) {
     const Example& known = example_named(examples, file.example);
-    all = parameters_of(known, *known.family);
+    all = parameters_of(known, family == nullptr ? *known.family : *family);
   }
   replace(all, file.parameters);
   replace(all, file.typed);
@@ -99,12 +99,7 @@ TypedParameters given_parameters(const Examples& examples, const ParameterFile& 
 
 OrbitQuestion question(const Examples& examples, const Family& family, const ParameterFile& file,
                        int digits) {
-  TypedParameters all;
-  if (!file.example.empty()) {
-    all = parameters_of(example_named(examples, file.example), family);
-  }
-  replace(all, file.parameters);
-  replace(all, file.typed);
+  const TypedParameters all = given_parameters(examples, file, &family);
   require_data(all, family);
   return {&family, model::data_by_name([&](const char * name) { return parse_range(name, all.at(name)); }),
           optional_range(all, "phi"), optional_range(all, "ur"), digits};
@@ -119,15 +114,10 @@ words::WordQuestion machine(const Examples& examples, const ParameterFile& file,
         "phi is not given for a machine: its load is cos(omega t), and where in it an orbit begins is a "
         "result");
   }
-  TypedParameters all;
-  if (!file.example.empty()) {
-    const Example& known = example_named(examples, file.example);
-    all = parameters_of(known, *known.family);
-    if (!all.contains("ur") && !given.contains("ur")) {
-      all["ur"] = to_text(printed_orbit(known).ur(), digits_of_ur).mid;
-    }
+  TypedParameters all = given_parameters(examples, file);
+  if (!file.example.empty() && !all.contains("ur")) {
+    all["ur"] = to_text(printed_orbit(example_named(examples, file.example)).ur(), digits_of_ur).mid;
   }
-  replace(all, given);
   std::vector<std::string> names = data_names;
   names.emplace_back("ur");
   require_given(all, names);

@@ -14,10 +14,12 @@ namespace stickslip::cli {
 // Throws UsageError naming all of the names that are not among the parameters.
 void require_given(const TypedParameters& parameters, const std::vector<std::string>& names);
 
-// What is typed, in the file and of the example, none of which need be all that a question needs. Throws
-// UsageError for an unknown example.
+// What is typed, in the file and of the example, none of which need be all that a question needs; phi or ur
+// of the example for its own family alone, which is the one that is asked about unless another is named.
+// Throws UsageError for an unknown example.
 [[nodiscard]] TypedParameters given_parameters(const proofs::methods::Examples& examples,
-                                               const ParameterFile& file);
+                                               const ParameterFile& file,
+                                               const numeric::Family * family = nullptr);
 
 // The question about the family. The example's phi or ur counts only for its own family and when neither is
 // given otherwise. Throws UsageError for a missing or malformed parameter.
