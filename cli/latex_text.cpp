@@ -126,17 +126,19 @@ std::function<std::string(const symbolic::objects::Object&)> values(
 // What the names ask for, or all objects. They are looked up first, so that an unknown one prints nothing.
 std::string formulas(const LatexOptions& options, const proofs::methods::Paper& paper, const Prove& prove) {
   const std::vector<proofs::methods::Claim>& claims = paper.claims;
-  std::vector<const symbolic::objects::Object *> asked;
-  for (const symbolic::objects::Object& object : symbolic::objects::objects()) {
-    if (options.names.empty() || std::ranges::find(options.names, object.name) != options.names.end()) {
-      asked.push_back(&object);
-    }
+  std::vector<std::string> names = options.names;
+  if (names.empty()) {
+    std::ranges::transform(symbolic::objects::objects(), std::back_inserter(names),
+                           &symbolic::objects::Object::name);
   }
+  std::vector<const symbolic::objects::Object *> asked;
+  std::ranges::transform(names, std::back_inserter(asked), symbolic::objects::find_object);
+  std::erase(asked, nullptr);
   const auto at_parameters = values(options, paper, asked);
   const symbolic::objects::Unknowns unknowns = unknowns_of(options);
   std::vector<std::function<std::string()>> parts;
   bool any_statement = false;
-  for (const std::string& name : options.names) {
+  for (const std::string& name : names) {
     if (const symbolic::objects::Object * object = symbolic::objects::find_object(name)) {
       parts.emplace_back([=] { return derived(*object, unknowns) + at_parameters(*object); });
     } else {
@@ -148,11 +150,6 @@ std::string formulas(const LatexOptions& options, const proofs::methods::Paper& 
       }
       parts.emplace_back([&, ids = named(claims, name)] { return statements(claims, ids, prove); });
       any_statement = true;
-    }
-  }
-  if (parts.empty()) {
-    for (const symbolic::objects::Object * object : asked) {
-      parts.emplace_back([=] { return derived(*object, unknowns) + at_parameters(*object); });
     }
   }
   std::string result;
