@@ -272,8 +272,7 @@ py::array_t<double> starts(const Told<attractors::Basins>& t) {
 
 using Row = std::array<double, 8>;  // t, x1, x2, x1', x2', r, u, energy
 
-struct Followed {
-  report::orbits::Simulated simulated;
+struct Followed : report::orbits::Simulated {
   std::vector<Row> rows;
   std::vector<int> phases;
 };
@@ -289,9 +288,9 @@ Told<Followed> simulate(const Asking& asking, bool settle, const Conduct& conduc
         }
         return answered(asked, [&](const cli::MotionAsked& motion) {
           Followed followed;
-          followed.simulated.periods = motion.periods;
-          followed.simulated.every = motion.every;
-          followed.simulated.record = simulation::record_motion(
+          followed.periods = motion.periods;
+          followed.every = motion.every;
+          followed.record = simulation::record_motion(
               motion.from.start, {motion.periods * motion.period(), motion.every},
               [](double) { return !interrupted(); },
               [&](const simulation::Sample& in_data) {
@@ -300,16 +299,12 @@ Told<Followed> simulate(const Asking& asking, bool settle, const Conduct& conduc
                 followed.phases.push_back(static_cast<int>(s.phase));
               });
           if (settle) {
-            followed.simulated.settles = cli::settles_on(followed.simulated.record, motion.from.machine);
+            followed.settles = cli::settles_on(followed.record, motion.from.machine);
           }
           return followed;
         });
       },
       o.file);
-}
-
-Told<report::orbits::Simulated> simulation_of(const Told<Followed>& t) {
-  return {t.answer.simulated, t.file, t.units};
 }
 
 std::tuple<py::array_t<double>, py::array_t<int>> samples(const Told<Followed>& t) {
@@ -587,12 +582,7 @@ PYBIND11_MODULE(_core, m) {
       .def("fields", &fields<numeric::attractors::Basins>)
       .def("starts", &starts)
       .def("script", &script<numeric::attractors::Basins>);
-  using Motion = Told<Followed>;
-  py::class_<Motion>(m, "Motion")
-      .def("json", [](const Motion& t) { return json(simulation_of(t)); })
-      .def("fields", [](const Motion& t) { return fields(simulation_of(t)); })
-      .def("left_out", &left_out<Followed>)
-      .def("samples", &samples);
+  told<Followed>(m, "Motion").def("fields", &fields<Followed>).def("samples", &samples);
   py::class_<Atlas>(m, "Archive")
       .def("json",
            [](const Atlas& a) { return report::atlas::to_json(a.archive.question, a.archive.leaves).dump(); })

@@ -136,9 +136,10 @@ void write_simulation(Object& json, const Simulated& simulated, const Units& uni
 
 }  // namespace
 
-Json to_json(Simulated simulated, const Units& units) {
-  simulated.record = units.record(simulated.record);
-  return written(simulated, in_units(write_simulation, units));
+Json to_json(const Simulated& simulated, const Units& units) {
+  Simulated told = simulated;
+  told.record = units.record(told.record);
+  return written(told, in_units(write_simulation, units));
 }
 
 File simulation_schema() {

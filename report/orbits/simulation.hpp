@@ -31,7 +31,7 @@ struct Simulated {
 
 // Numbers are in double, all but the data in the units. Absent: the energy without samples, `settles` where
 // it was not seen.
-[[nodiscard]] tools::Json to_json(Simulated simulated, const Units& units = {});
+[[nodiscard]] tools::Json to_json(const Simulated& simulated, const Units& units = {});
 [[nodiscard]] tools::File simulation_schema();
 
 // The samples that a picture shows, a bounded number of them whatever the length of the motion: the last
