@@ -1,5 +1,4 @@
 // stickslip attractors: what a machine does.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
@@ -37,6 +36,17 @@ ExitCode answer(const AttractorsOptions& o, const Asked<Question>& asked, const 
   return exit_of(result.interrupted, true);
 }
 
+ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Examples& examples) {
+  if (o.plane && (o.neighbourhood || o.window)) {
+    const auto asked = asked_basins(as_text(o), examples);
+    return run_plane(as_tables(asked.question.machine.machine, asked.file, asked.units,
+                               "--plane with --neighbourhood or --window"),
+                     without_machine(o));
+  }
+  return o.plane ? answer(o, asked_basins(o, examples), basins_of)
+                 : answer(o, asked_diagram(o, examples), diagram_of);
+}
+
 }  // namespace
 
 ExitCode run(const AttractorsOptions& options, const proofs::methods::Examples& examples) {
@@ -68,17 +78,6 @@ ExitCode run(const AttractorsOptions& options, const proofs::methods::Examples& 
   return exit_of(list.interrupted, std::ranges::all_of(list.attractors, [](const Attractor& a) {
                    return a.kind != Kind::periodic || (a.orbit && is_decided(*a.orbit));
                  }));
-}
-
-ExitCode run_diagram(const AttractorsOptions& o, const proofs::methods::Examples& examples) {
-  if (o.plane && (o.neighbourhood || o.window)) {
-    const auto asked = asked_basins(as_text(o), examples);
-    return run_plane(as_tables(asked.question.machine.machine, asked.file, asked.units,
-                               "--plane with --neighbourhood or --window"),
-                     without_machine(o));
-  }
-  return o.plane ? answer(o, asked_basins(o, examples), basins_of)
-                 : answer(o, asked_diagram(o, examples), diagram_of);
 }
 
 }  // namespace stickslip::cli

@@ -30,9 +30,6 @@ struct GivenInTables;
 [[nodiscard]] ExitCode run_plane(const GivenInTables& given, const AttractorsOptions& options);
 [[nodiscard]] ExitCode run_box(const GivenInTables& given, const BranchOptions& options);
 [[nodiscard]] ExitCode run_set(const GivenInTables& given, const SimulateOptions& options);
-// Of `attractors` with --along or --plane.
-[[nodiscard]] ExitCode run_diagram(const AttractorsOptions& options,
-                                   const proofs::methods::Examples& examples);
 // Whether existence, all conditions and, where they hold, stability are decided.
 [[nodiscard]] bool is_decided(const numeric::words::WordOrbit& orbit);
 [[nodiscard]] ExitCode run(const AtlasOptions& options, const proofs::methods::Examples& examples);

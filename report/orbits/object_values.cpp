@@ -12,6 +12,7 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "model/flows.hpp"
+#include "model/named_data.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/motion/domain.hpp"
 #include "report/orbits/orbit_words.hpp"
@@ -37,8 +38,6 @@ namespace {
 
 using GiNaC::ex;
 using Names = std::vector<std::string>;
-
-const Names data_names{"chi", "eta", "us", "V", "omega", "p"};
 
 // What follows from the data, and from which.
 struct Derived {
@@ -79,13 +78,10 @@ Names names_in(const std::vector<Line>& lines) {
 
 // Those that have no value here stand for valid ones: nothing asks for them.
 numeric::motion::ExactParameters exact_data(const GivenParameters& given) {
-  const auto value = [&given](const char * name, const Rational& otherwise) {
+  return model::data_by_name([&given](const std::string& name) {
     const auto found = given.find(name);
-    return found == given.end() ? otherwise : found->second;
-  };
-  const Rational half(1, 2);
-  return {value("chi", half), value("eta", 1),   value("us", half),
-          value("V", 1),      value("omega", 1), value("p", 1)};
+    return found != given.end() ? found->second : Rational(1, name == "chi" || name == "us" ? 2 : 1);
+  });
 }
 
 void require_domain(const GivenParameters& given) {
@@ -243,8 +239,11 @@ Names parameters_of(const std::vector<const Object *>& objects) {
     }
   }
   Names result;
-  std::ranges::copy_if(data_names, std::back_inserter(result),
-                       [&](const std::string& name) { return has(found, name); });
+  for (const auto& [name, member] : model::named_data<Rational>) {
+    if (has(found, name)) {
+      result.emplace_back(name);
+    }
+  }
   return result;
 }
 

@@ -37,34 +37,31 @@ constexpr Page narrow_page{480, 340, 4};
 // As in the paper's pictures: the overshoot heaviest, the stick thin.
 constexpr std::array<double, 3> line_widths{2.5, 5, 1};
 
+// z + shift; z' at the time since the phase began.
+model::Vector4<double> state(const MotionOf<double>& motion, const PhaseOf<double>& phase,
+                             const model::Vector2<double>& shift, double t) {
+  model::Vector4<double> Z = flow<double>(motion.oscillator, phase.kind, phase.load, phase.Z, t);
+  Z.head<2>() += shift;
+  return Z;
+}
+
 // Lines "t q1 q2 q1' q2'", q = z or x.
 std::string table(const MotionOf<double>& motion, const PhaseOf<double>& phase,
-                  const model::Vector2<double>& d) {
+                  const model::Vector2<double>& shift) {
   std::string text;
   for (int i = 0; i <= samples; ++i) {
     const double t = phase.duration * i / samples;
-    const model::Vector4<double> Z = flow<double>(motion.oscillator, phase.kind, phase.load, phase.Z, t);
-    text += fmt::format("{:.8g} {:.8g} {:.8g} {:.8g} {:.8g}\n", phase.start + t, Z(0) + d(0), Z(1) + d(1),
-                        Z(2), Z(3));
+    const model::Vector4<double> X = state(motion, phase, shift, t);
+    text += fmt::format("{:.8g} {:.8g} {:.8g} {:.8g} {:.8g}\n", phase.start + t, X(0), X(1), X(2), X(3));
   }
   return text;
-}
-
-// z + shift; z' at the fraction of the phase.
-model::Vector4<double> state(const MotionOf<double>& motion, const PhaseOf<double>& phase,
-                             const model::Vector2<double>& shift, double fraction) {
-  model::Vector4<double> Z =
-      flow<double>(motion.oscillator, phase.kind, phase.load, phase.Z, fraction * phase.duration);
-  Z(0) += shift(0);
-  Z(1) += shift(1);
-  return Z;
 }
 
 // An arrow along the portrait of each mass, in the middle of the phase.
 Json arrows(const MotionOf<double>& motion, const PhaseOf<double>& phase,
             const model::Vector2<double>& shift) {
-  const model::Vector4<double> from = state(motion, phase, shift, 0.5);
-  const model::Vector4<double> to = state(motion, phase, shift, 0.51);
+  const model::Vector4<double> from = state(motion, phase, shift, 0.5 * phase.duration);
+  const model::Vector4<double> to = state(motion, phase, shift, 0.51 * phase.duration);
   Json both;
   for (int mass = 0; mass < 2; ++mass) {
     both[fmt::format("arrow{}", mass + 1)] = fmt::format("from first {:.8g},{:.8g} to first {:.8g},{:.8g}",
@@ -138,7 +135,7 @@ std::vector<model::Vector4<double>> states_drawn(const MotionOf<double>& motion,
   std::vector<model::Vector4<double>> all;
   for (const PhaseOf<double>& phase : motion.phases) {
     for (int i = 0; i <= samples; ++i) {
-      all.push_back(state(motion, phase, shift, static_cast<double>(i) / samples));
+      all.push_back(state(motion, phase, shift, phase.duration * i / samples));
     }
   }
   return all;
