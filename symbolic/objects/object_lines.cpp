@@ -47,6 +47,22 @@ std::size_t width(std::string_view text) {
   return result;
 }
 
+// The terms of a sum, in an order that does not depend on how it was built.
+std::vector<ex> terms_of(const ex& sum) {
+  std::map<std::string, ex> by_text;
+  if (!GiNaC::is_a<GiNaC::add>(sum)) {
+    return {sum};
+  }
+  for (const ex& term : sum) {
+    by_text.emplace(text(term), term);
+  }
+  std::vector<ex> result;
+  for (const auto& entry : by_text) {
+    result.push_back(entry.second);
+  }
+  return result;
+}
+
 // How wide a line may be.
 constexpr std::size_t page = 52;
 
@@ -130,30 +146,15 @@ Line broken(const std::string& left, const std::vector<std::string>& terms) {
   return line;
 }
 
-Line sum(const std::string& left, const std::vector<ex>& terms) {
+Line sum(const std::string& left, const ex& value) {
   std::vector<std::string> texts;
-  for (const ex& term : narrow(terms)) {
+  for (const ex& term : narrow(terms_of(value))) {
     const std::string text = latex(term);
     texts.push_back((texts.empty() || text.starts_with("-") ? "" : "+") + text);
   }
   Line line = broken(left, texts);
-  line.entries = {GiNaC::add(GiNaC::exvector(terms.begin(), terms.end()))};
+  line.entries = {value};
   return line;
-}
-
-std::vector<ex> terms_of(const ex& sum) {
-  std::map<std::string, ex> by_text;
-  if (!GiNaC::is_a<GiNaC::add>(sum)) {
-    return {sum};
-  }
-  for (const ex& term : sum) {
-    by_text.emplace(text(term), term);
-  }
-  std::vector<ex> result;
-  for (const auto& entry : by_text) {
-    result.push_back(entry.second);
-  }
-  return result;
 }
 
 void append_meanings(Lines& lines, Unknowns unknowns) {

@@ -25,10 +25,10 @@ using Lines = std::vector<Line>;
 
 // left = value, in these unknowns.
 [[nodiscard]] GiNaC::ex written_in(const GiNaC::ex& value, Unknowns unknowns);
-[[nodiscard]] Line scalar(const std::string& left, const GiNaC::ex& value, Unknowns unknowns);
+[[nodiscard]] Line scalar(const std::string& left, const GiNaC::ex& value, Unknowns unknowns = Unknowns::chi);
 template <class Derived>
 [[nodiscard]] Line matrix(const std::string& left, const Eigen::MatrixBase<Derived>& value,
-                          Unknowns unknowns) {
+                          Unknowns unknowns = Unknowns::chi) {
   const auto written =
       value.unaryExpr([unknowns](const GiNaC::ex& entry) { return written_in(entry, unknowns); });
   Line line{left, typeset::latex(written), {}, static_cast<std::size_t>(value.cols())};
@@ -37,10 +37,9 @@ template <class Derived>
   }
   return line;
 }
-// left = the sum of the values, term by term, broken into lines that fit a page.
-[[nodiscard]] Line sum(const std::string& left, const std::vector<GiNaC::ex>& terms);
-// The terms of a sum, in an order that does not depend on how it was built.
-[[nodiscard]] std::vector<GiNaC::ex> terms_of(const GiNaC::ex& sum);
+// left = the sum, its terms in an order that does not depend on how it was built, broken into lines that
+// fit a page.
+[[nodiscard]] Line sum(const std::string& left, const GiNaC::ex& value);
 // chi, eta, lambda_1, lambda_2 in the frequencies, for lines that have them as abbreviations.
 void append_meanings(Lines& lines, Unknowns unknowns);
 

@@ -154,7 +154,7 @@ Lines modal(const Vector4& Z, Unknowns unknowns) {
   for (std::size_t k = 0; k < waves.size(); ++k) {
     const ex coefficient = rest[0].coeff(waves[k]);
     const ex lambda = k < 2 ? m.lambda1 : m.lambda2;
-    coefficients.push_back(scalar(latex_name(names[k]), coefficient, Unknowns::chi));
+    coefficients.push_back(scalar(latex_name(names[k]), coefficient));
     combination[0] += symbol(names[k]) * waves[k];
     combination[1] += lambda * symbol(names[k]) * waves[k];
     rest[0] = (rest[0] - coefficient * waves[k]).expand();
@@ -162,7 +162,7 @@ Lines modal(const Vector4& Z, Unknowns unknowns) {
   }
   Lines lines;
   for (std::size_t i = 0; i < 2; ++i) {
-    lines.push_back(scalar(fmt::format("z_{}(t)", i + 1), combination[i] + rest[i].normal(), Unknowns::chi));
+    lines.push_back(scalar(fmt::format("z_{}(t)", i + 1), combination[i] + rest[i].normal()));
   }
   lines.insert(lines.end(), coefficients.begin(), coefficients.end());
   if (unknowns == Unknowns::omega) {
@@ -188,7 +188,7 @@ Lines stick(Unknowns unknowns) {
   const Vector4 Z = model::stick_flow<ex>(chi(), initial_state(), t());
   Lines lines;
   for (int i = 0; i < 4; ++i) {
-    lines.push_back(scalar(fmt::format("{}z_{}(t)", i < 2 ? "" : "\\dot ", i % 2 + 1), Z(i), Unknowns::chi));
+    lines.push_back(scalar(fmt::format("{}z_{}(t)", i < 2 ? "" : "\\dot ", i % 2 + 1), Z(i)));
   }
   if (unknowns == Unknowns::omega) {
     lines.push_back(scalar("\\chi", chi(), unknowns));

@@ -28,36 +28,32 @@ ex tau1() {
   return symbol("tau1");
 }
 
-Lines symmetric(Unknowns unknowns) {
+Lines symmetric() {
   const Vector4 residual =
       model::symmetric_residual<ex>(chi(), modes(), Q_symbols(), omega(), symbol("Theta"), tau(),
                                     {symbol("z10"), symbol("z20")}, {symbol("zdot10"), symbol("V")});
   Lines lines;
   for (const ex& equation : residual) {
-    lines.push_back(sum("0", terms_of(equation)));
+    lines.push_back(sum("0", equation));
   }
-  append_meanings(lines, unknowns);
   return lines;
 }
 
-Lines friction_at_rest(Unknowns unknowns) {
+Lines friction_at_rest() {
   const ex ur = model::friction_at<ex>(parameters(), model::Vector2<ex>(symbol("z10"), symbol("z20")), phi());
-  Lines lines{scalar("u_r", ur, Unknowns::chi)};
-  append_meanings(lines, unknowns);
-  return lines;
+  return {scalar("u_r", ur)};
 }
 
 // a_i, b_i, c_i, d_i, in the paper's order.
-Lines closing_coefficients(Unknowns unknowns) {
+Lines closing_coefficients() {
   const auto k = model::appendix3<ex>(model::appendix3_letters<ex>(
       chi(), modes(), Q_symbols(), d0_symbols(), omega(), symbol("V"), phi(), tau(), tau1(), symbol("T")));
   Lines lines;
   for (std::size_t i = 0; i < 5; ++i) {
     for (const auto& [letter, values] : {std::pair{'a', &k.a}, {'b', &k.b}, {'c', &k.c}, {'d', &k.d}}) {
-      lines.push_back(sum(fmt::format("{}_{}", letter, i + 1), terms_of((*values)[i])));
+      lines.push_back(sum(fmt::format("{}_{}", letter, i + 1), (*values)[i]));
     }
   }
-  append_meanings(lines, unknowns);
   return lines;
 }
 
@@ -98,74 +94,71 @@ model::HalfPeriod<ex> half_period_letters() {
 }
 
 // (34) with a_i; x_B = -x_0 and z_B' = -z_0', (33).
-Lines nonsticking_states(Unknowns unknowns) {
+Lines nonsticking_states() {
   const Vector4 Z0 = model::half_period_start<ex>(half_period_letters(), Q_symbols(), d0_symbols(), omega(),
                                                   GiNaC::cos(phi()), GiNaC::sin(phi()));
   const Vector2 d0 = d0_symbols();
   const model::HalfPeriod<ex> h = half_period();
-  Lines lines{sum("z_{10}", terms_of(Z0(0))),
-              sum("z_{20}", terms_of(Z0(1))),
-              sum("\\dot z_{10}", terms_of(Z0(2))),
-              sum("z_{1B}", terms_of(-Z0(0).expand() - 2 * d0(0))),
-              sum("z_{2B}", terms_of(-Z0(1).expand() - 2 * d0(1))),
-              sum("\\dot z_{1B}", terms_of(-Z0(2).expand())),
-              sum("a_1", terms_of(h.a1)),
-              sum("a_2", terms_of(h.a2))};
-  append_meanings(lines, unknowns);
-  return lines;
+  return {sum("z_{10}", Z0(0)),
+          sum("z_{20}", Z0(1)),
+          sum("\\dot z_{10}", Z0(2)),
+          sum("z_{1B}", -Z0(0).expand() - 2 * d0(0)),
+          sum("z_{2B}", -Z0(1).expand() - 2 * d0(1)),
+          sum("\\dot z_{1B}", -Z0(2).expand()),
+          sum("a_1", h.a1),
+          sum("a_2", h.a2)};
 }
 
-Lines nonsticking_phase(Unknowns unknowns) {
+Lines nonsticking_phase() {
   const model::HalfPeriod<ex> h = half_period();
-  Lines lines{scalar("\\sin\\varphi", -half_period_letters().friction_speed / (symbol("q2") * omega()),
-                     Unknowns::chi),
-              sum("b_1", terms_of(h.b1)), sum("b_2", terms_of(h.b2))};
-  append_meanings(lines, unknowns);
-  return lines;
+  return {scalar("\\sin\\varphi", -half_period_letters().friction_speed / (symbol("q2") * omega())),
+          sum("b_1", h.b1), sum("b_2", h.b2)};
 }
 
-Lines least_load(Unknowns unknowns) {
+Lines least_load() {
   const model::HalfPeriod<ex> h = half_period();
   const ex square = model::least_load_squared<ex>(parameters(), modes(), half_period_letters(), symbol("ur"));
-  Lines lines{scalar("p^2", square, Unknowns::chi), sum("b_1", terms_of(h.b1)), sum("b_2", terms_of(h.b2))};
-  lines.front().left = "p^2 > p_{\\min}^2";
-  append_meanings(lines, unknowns);
-  return lines;
+  return {scalar("p^2 > p_{\\min}^2", square), sum("b_1", h.b1), sum("b_2", h.b2)};
 }
 
-Lines symmetry_matrix(Unknowns unknowns) {
-  Lines lines;
-  const ex rho1 = symbol("rho1");
-  const ex rho2 = symbol("rho2");
+Lines eigenvalues() {
+  return {scalar("\\rho_1", model::rho<ex>(modes().omega1, tau(), tau1())),
+          scalar("\\rho_2", model::rho<ex>(modes().omega2, tau(), tau1()))};
+}
+
+Lines symmetry_matrix() {
   const model::Matrix2<ex> Lambda = model::Lambda<ex>(modes());
-  lines.push_back(matrix(
-      "P", model::Matrix2<ex>(Lambda * model::matrix<ex>(rho1, 0, 0, rho2) * model::inverse<ex>(Lambda)),
-      Unknowns::chi));
-  lines.push_back(scalar("\\rho_1", model::rho<ex>(modes().omega1, tau(), tau1()), Unknowns::chi));
-  lines.push_back(scalar("\\rho_2", model::rho<ex>(modes().omega2, tau(), tau1()), Unknowns::chi));
-  append_meanings(lines, unknowns);
+  const model::Matrix2<ex> P =
+      Lambda * model::diagonal<ex>(symbol("rho1"), symbol("rho2")) * model::inverse<ex>(Lambda);
+  Lines lines = eigenvalues();
+  lines.insert(lines.begin(), matrix("P", P));
   return lines;
 }
 
-Lines eigenvalues(Unknowns) {
-  return {scalar("\\rho_1", model::rho<ex>(modes().omega1, tau(), tau1()), Unknowns::chi),
-          scalar("\\rho_2", model::rho<ex>(modes().omega2, tau(), tau1()), Unknowns::chi)};
+// The lines, and what their abbreviations stand for.
+template <Lines (*lines)()>
+Lines explained(Unknowns unknowns) {
+  Lines all = lines();
+  append_meanings(all, unknowns);
+  return all;
 }
 
 }  // namespace
 
 std::vector<Object> orbit_objects() {
   return {
-      {"symmetric", "(16)", "closing equations of the symmetric orbit", symmetric},
-      {"friction", "(24)", "friction at rest of an orbit", friction_at_rest},
+      {"symmetric", "(16)", "closing equations of the symmetric orbit", explained<symmetric>},
+      {"friction", "(24)", "friction at rest of an orbit", explained<friction_at_rest>},
       {"closing", "(47)", "coefficients (47)-(51) of the closing equations (21), with the right sign in $c1$",
-       closing_coefficients},
+       explained<closing_coefficients>},
       {"cramer", "(22)", "determinants that give the initial state of an overshooting orbit", cramer},
-      {"nonsticking", "(34)", "states of the non-sticking orbit, by (31) and (33)", nonsticking_states},
-      {"phase", "(35)", "phase of the load at a non-sticking orbit", nonsticking_phase},
-      {"load", "(37)", "sharp bound for the load of a non-sticking orbit", least_load},
-      {"P", "(64)", "matrix that decides whether a non-sticking orbit is symmetric", symmetry_matrix},
-      {"rho", "(70)", "eigenvalues of $P$", eigenvalues},
+      {"nonsticking", "(34)", "states of the non-sticking orbit, by (31) and (33)",
+       explained<nonsticking_states>},
+      {"phase", "(35)", "phase of the load at a non-sticking orbit", explained<nonsticking_phase>},
+      {"load", "(37)", "sharp bound for the load of a non-sticking orbit", explained<least_load>},
+      {"P", "(64)", "matrix that decides whether a non-sticking orbit is symmetric",
+       explained<symmetry_matrix>},
+      {"rho", "(70)", "eigenvalues of $P$", [](Unknowns) { return eigenvalues(); }},
   };
 }
 
