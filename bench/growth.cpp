@@ -1,5 +1,5 @@
 // How the time grows: with the number of boxes that an interval of parameters is cut into, with the number of
-// parameters that are intervals, with the periods simulated. Growth with the digits: enclosures.cpp.
+// parameters that are intervals, with the periods simulated. Growth with the digits: one_orbit.cpp.
 #include <benchmark/benchmark.h>
 
 #include <array>
