@@ -8,6 +8,7 @@
 // has exactly one zero there, by Krawczyk's theorem.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -47,19 +48,20 @@ template <class T>
 // K, and the parts that it is made of.
 template <class S, int N>
 struct Image {
-  std::array<S, 2> at;                                               // -Y f(0)
-  std::array<std::array<S, 2>, static_cast<std::size_t>(N)> slopes;  // -Y f_p, of the parameters
-  std::array<std::array<S, 2>, 2> rest;                              // 1 - Y J
-  std::array<S, 2> over;                                             // K
+  Eigen::Matrix<S, 2, 1> at;      // -Y f(0)
+  Eigen::Matrix<S, 2, N> slopes;  // -Y f_p, of the parameters, between the columns of 1 - Y J
+  std::array<S, 2> over;          // K
 
-  // Whether `rest`, in the norm of row sums, is below a bound; it is as much smaller as the patch and the box
+  // 1 - Y J.
+  [[nodiscard]] const S& rest(int i, int j) const { return slopes(i, j == 0 ? 0 : N - 1); }
+  // Whether that, in the norm of row sums, is below a bound; it is as much smaller as the patch and the box
   // are.
   [[nodiscard]] bool rest_is_below(double bound) const {
     const auto size = [](const S& x) {
       const auto [low, high] = scalars::ends(x);
       return std::max(std::abs(low), std::abs(high));
     };
-    return size(rest[0][0]) + size(rest[0][1]) < bound && size(rest[1][0]) + size(rest[1][1]) < bound;
+    return size(rest(0, 0)) + size(rest(0, 1)) < bound && size(rest(1, 0)) + size(rest(1, 1)) < bound;
   }
   [[nodiscard]] bool is_contraction() const { return rest_is_below(0.7); }
 };
@@ -67,40 +69,26 @@ struct Image {
 // Nothing where J may be singular.
 template <class S, int N>
 [[nodiscard]] std::optional<Image<S, N>> image(const std::array<scalars::Form<S, N>, 2>& f) {
-  constexpr auto w = static_cast<std::size_t>(N - 1);
-  const auto slope = [&](std::size_t i, std::size_t j) { return f[i].slopes[j == 0 ? 0 : w]; };
-  const auto near = [&](std::size_t i, std::size_t j) { return slope(i, j).approximate(); };
+  Eigen::Matrix<S, 2, N> slopes;
+  for (int k = 0; k < N; ++k) {
+    slopes.col(k) << f[0].slopes[static_cast<std::size_t>(k)], f[1].slopes[static_cast<std::size_t>(k)];
+  }
+  const auto near = [&](int i, int j) { return slopes(i, j == 0 ? 0 : N - 1).approximate(); };
   const double det = near(0, 0) * near(1, 1) - near(0, 1) * near(1, 0);
-  const std::array<std::array<S, 2>, 2> Y{
-      {{S(near(1, 1) / det), S(-near(0, 1) / det)}, {S(-near(1, 0) / det), S(near(0, 0) / det)}}};
   if (!std::isfinite(1 / det)) {
     return std::nullopt;
   }
-  const auto times_Y = [&](const S& x, const S& y) {
-    return std::array<S, 2>{S(Y[0][0] * x + Y[0][1] * y), S(Y[1][0] * x + Y[1][1] * y)};
-  };
+  const Eigen::Matrix<S, 2, 2> minus_Y{{S(-near(1, 1) / det), S(near(0, 1) / det)},
+                                       {S(near(1, 0) / det), S(-near(0, 0) / det)}};
   Image<S, N> K;
-  const std::array<S, 2> at = times_Y(f[0].at, f[1].at);
-  for (std::size_t i = 0; i < 2; ++i) {
-    K.at[i] = -at[i];
-    const std::array<S, 2> column = times_Y(slope(0, i), slope(1, i));
-    for (std::size_t j = 0; j < 2; ++j) {
-      K.rest[j][i] = S(i == j ? 1 : 0) - column[j];
-    }
-  }
-  for (std::size_t p = 1; p < w; ++p) {
-    const std::array<S, 2> moved = times_Y(f[0].slopes[p], f[1].slopes[p]);
-    K.slopes[p] = {-moved[0], -moved[1]};
-  }
-  for (std::size_t i = 0; i < 2; ++i) {
+  K.at = minus_Y.lazyProduct(Eigen::Matrix<S, 2, 1>(f[0].at, f[1].at));
+  K.slopes = minus_Y.lazyProduct(slopes);
+  K.slopes(0, 0) += S(1);
+  K.slopes(1, N - 1) += S(1);
+  for (int i = 0; i < 2; ++i) {
     std::array<S, static_cast<std::size_t>(N)> all;
-    all.fill(S(0));
-    for (std::size_t p = 1; p < w; ++p) {
-      all[p] = K.slopes[p][i];
-    }
-    all[0] = K.rest[i][0];
-    all[w] = K.rest[i][1];
-    K.over[i] = K.at[i] + scalars::sway(all);
+    std::copy_n(K.slopes.row(i).begin(), N, all.begin());
+    K.over[static_cast<std::size_t>(i)] = K.at(i) + scalars::sway(all);
   }
   return K;
 }
@@ -291,11 +279,11 @@ template <class S, int N, class F>
     }
     zero.where = *narrower;
     // The zero at e: e = -Y f(0) + (1 - Y J) e at the middle, de = -Y f_p + (1 - Y J) de.
-    const auto &a = K->rest[0], &b = K->rest[1];
-    const S det = (S(1) - a[0]) * (S(1) - b[1]) - a[1] * b[0];
-    const auto solved = [&](const std::array<S, 2>& r) {
-      return std::array<S, 2>{S(((S(1) - b[1]) * r[0] + a[1] * r[1]) / det),
-                              S((b[0] * r[0] + (S(1) - a[0]) * r[1]) / det)};
+    const S a = S(1) - K->rest(0, 0), b = S(1) - K->rest(1, 1);
+    const S det = a * b - K->rest(0, 1) * K->rest(1, 0);
+    const auto solved = [&](const Eigen::Matrix<S, 2, 1>& r) {
+      return std::array<S, 2>{S((b * r(0) + K->rest(0, 1) * r(1)) / det),
+                              S((K->rest(1, 0) * r(0) + a * r(1)) / det)};
     };
     std::array<T, 2> forms{detail::side_of<T>(X, 0), detail::side_of<T>(X, 1)};
     const std::array<S, 2> at = solved(K->at);
@@ -307,7 +295,7 @@ template <class S, int N, class F>
       x.at = centre + reach * at[k];
       x.over = scalars::around<S>(zero.where[k].first, zero.where[k].second);
       for (std::size_t p = 1; p + 1 < x.slopes.size(); ++p) {
-        x.slopes[p] = reach * solved(K->slopes[p])[k];
+        x.slopes[p] = reach * solved(K->slopes.col(static_cast<int>(p)))[k];
       }
       x.sharpen();
     }
