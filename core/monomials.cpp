@@ -51,15 +51,10 @@ Polynomial polynomial(const PolynomialRing& ring, const std::vector<Monomial>& m
 }
 
 Rational take_content(Polynomial& polynomial) {
-  mpz_class above = 0, below = 1;
-  for (const Monomial& one : monomials(polynomial)) {
-    above = gcd(above, one.coefficient.get_num());
-    below = lcm(below, one.coefficient.get_den());
-  }
-  Rational content(above, below);
-  content.canonicalize();
-  polynomial *= polynomial.ring().constant(1 / content);
-  return content;
+  Fmpq content;
+  fmpq_mpoly_content(content.raw(), polynomial.raw(), polynomial.ring().context());
+  fmpq_mpoly_scalar_div_fmpq(polynomial.raw(), polynomial.raw(), content.raw(), polynomial.ring().context());
+  return content.value();
 }
 
 std::vector<std::pair<Polynomial, int>> irreducible_factors(const Polynomial& polynomial) {
