@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/named_data.hpp"
 #include "numeric/machine_along.hpp"
 #include "numeric/motion/closing.hpp"
 #include "numeric/scalars/form.hpp"
@@ -88,59 +89,32 @@ template <class S>
   if (q.machine) {
     return q.machine->at<StripForm<S>, S>(parameter);
   }
-  const model::Parameters<Rational>& a = q.given.data;
-  const auto form = [&](std::size_t k, const Rational& value) {
-    return k == q.place ? parameter : StripForm<S>(scalars::scalar<S>(value));
-  };
-  motion::Given<StripForm<S>> given{
-      {form(0, a.chi), form(1, a.eta), form(2, a.us), form(3, a.V), form(4, a.omega), form(5, a.p)}, {}, {}};
-  if (q.given.phi) {
-    given.phi = form(6, *q.given.phi);
-  }
-  if (q.given.ur) {
-    given.ur = form(7, *q.given.ur);
+  auto given = motion::mapped<StripForm<S>>(
+      q.given, [](const Rational& value) { return StripForm<S>(scalars::scalar<S>(value)); });
+  const auto& named = model::named_data<StripForm<S>>;
+  if (q.place < named.size()) {
+    given.data.*named[q.place].second = parameter;
+  } else {
+    (q.place == named.size() ? given.phi : given.ur) = parameter;
   }
   return given;
 }
 
-using Shares = std::array<Bounds, 3>;  // of the box, each within [-1, 1]
+// Shares of the box, each in [-1, 1].
+template <class S>
+using Shares = Eigen::Matrix<S, 3, 1>;
 
-// The shares at which at + slopes · e vanishes; false when there are none. The slopes hold for all of the
-// box.
+// Those at which at + slopes · e vanishes; nothing when there are none. The slopes hold for all of the box.
 template <class S, class Slopes>
-[[nodiscard]] bool shrink(const S& at, const Slopes& slopes, Shares& e) {
-  std::array<S, 3> share;
-  S sum = at;
-  for (std::size_t i = 0; i < 3; ++i) {
-    share[i] = slopes[i] * scalars::around<S>(e[i].first, e[i].second);
-    sum += share[i];
-  }
-  if (sum.is_nonzero()) {
-    return false;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!slopes[i].is_nonzero()) {
-      continue;
-    }
-    S others = at;
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (j != i) {
-        others += share[j];
-      }
-    }
-    const auto [low, high] = scalars::ends(S(-others / slopes[i]));
-    e[i] = {std::max(e[i].first, low), std::min(e[i].second, high)};
-    if (e[i].first > e[i].second) {
-      return false;
-    }
-    share[i] = slopes[i] * scalars::around<S>(e[i].first, e[i].second);
-  }
-  return true;
+[[nodiscard]] std::optional<Shares<S>> shrunk(const S& at, const Slopes& slopes, const Shares<S>& e) {
+  const Eigen::Matrix<S, 1, 3> slope(slopes[0], slopes[1], slopes[2]);
+  return zeros::contract_by<3, S>(at, slope, Shares<S>::Constant(S(0)), e);
 }
 
 // Two functions combined so that of two variables, those that they tell apart best, each has one.
 template <class S>
-[[nodiscard]] bool shrink_by_both(const StripForm<S>& f, const StripForm<S>& g, Shares& e) {
+[[nodiscard]] std::optional<Shares<S>> shrunk_by_both(const StripForm<S>& f, const StripForm<S>& g,
+                                                      const Shares<S>& e) {
   const auto slope = [](const StripForm<S>& h, std::size_t i) { return h.slopes[i].approximate(); };
   double most = 0;
   std::size_t first = 0, second = 1;
@@ -155,17 +129,17 @@ template <class S>
     }
   }
   if (most == 0 || !std::isfinite(most)) {
-    return true;
+    return e;
   }
-  const auto combined = [&](double of_f, double of_g) {
+  const auto combined = [&](double of_f, double of_g, const Shares<S>& shares) {
     std::array<S, 3> slopes;
     for (std::size_t i = 0; i < 3; ++i) {
       slopes[i] = S(of_f) * f.slopes[i] + S(of_g) * g.slopes[i];
     }
-    return shrink<S>(S(S(of_f) * f.at + S(of_g) * g.at), slopes, e);
+    return shrunk<S>(S(S(of_f) * f.at + S(of_g) * g.at), slopes, shares);
   };
-  return combined(slope(g, second) / most, -slope(f, second) / most) &&
-         combined(-slope(g, first) / most, slope(f, first) / most);
+  const auto once = combined(slope(g, second) / most, -slope(f, second) / most, e);
+  return once ? combined(-slope(g, first) / most, slope(f, first) / most, *once) : std::nullopt;
 }
 
 template <class S, class F>
@@ -183,21 +157,21 @@ template <class S, class F>
     return std::nullopt;
   }
   Strip::View view{X, here.x, scalars::ends(value), here.large};
-  Shares e;
-  e.fill({-1, 1});
-  for (const T& f : here.vanish) {
-    if (f.over.is_nonzero() || !shrink<S>(f.at, f.slopes, e)) {
-      return std::nullopt;
-    }
+  std::optional<Shares<S>> e = Shares<S>::Constant(scalars::around<S>(-1, 1));
+  for (std::size_t i = 0; e && i < here.vanish.size(); ++i) {
+    const T& f = here.vanish[i];
+    e = f.over.is_nonzero() ? std::nullopt : shrunk<S>(f.at, f.slopes, *e);
   }
-  if (here.vanish.size() >= 2 &&
-      !shrink_by_both<S>(here.vanish[here.vanish.size() - 2], here.vanish.back(), e)) {
+  if (e && here.vanish.size() >= 2) {
+    e = shrunk_by_both<S>(here.vanish[here.vanish.size() - 2], here.vanish.back(), *e);
+  }
+  if (!e) {
     return std::nullopt;
   }
   for (int i = 0; i < 2; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Ball side =
-        Ball(sides[k].first) + Ball(sides[k].second) * Ball::hull(Ball(e[k].first), Ball(e[k].second));
+    const auto& [middle, radius] = sides[static_cast<std::size_t>(i)];
+    const auto [low, high] = scalars::ends((*e)(i));
+    const Ball side = Ball(middle) + Ball(radius) * Ball::hull(Ball(low), Ball(high));
     const std::optional<Ball> rest = zeros::intersection(X(i), side);
     if (!rest) {
       return std::nullopt;
