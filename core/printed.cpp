@@ -8,7 +8,7 @@ Ball printed_interval(const Decimal& printed) {
   return Ball::from_interval(printed.lower(), printed.upper());
 }
 
-PrintedComparison compare_printed(std::string name, const Decimal& printed, const Ball& value) {
+PrintedComparison compare_printed(const Decimal& printed, const Ball& value) {
   const Ball units = (value - Ball(printed.value)) / Ball(printed.unit);
   const Ball excess = abs(units) - Ball(Rational(1, 2));
   Verdict verdict = Verdict::undecided(
@@ -19,7 +19,7 @@ PrintedComparison compare_printed(std::string name, const Decimal& printed, cons
     verdict = Verdict::refuted(fmt::format("{} is printed as {}: off by {} units in the last place",
                                            to_string(value), printed.text, to_string(units, 4)));
   }
-  return {std::move(name), printed, value, units, std::move(verdict)};
+  return {units, std::move(verdict)};
 }
 
 }  // namespace stickslip

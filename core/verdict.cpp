@@ -7,6 +7,7 @@
 #include <array>
 
 #include "core/decimal.hpp"
+#include "core/names.hpp"
 
 namespace stickslip {
 
@@ -16,19 +17,7 @@ std::string plain(std::string sentence) {
 }
 
 std::string to_string(Truth truth) {
-  switch (truth) {
-    case Truth::proved:
-      return "proved";
-    case Truth::refuted:
-      return "refuted";
-    case Truth::undecided:
-      return "undecided";
-    case Truth::assumed:
-      return "assumed";
-    case Truth::checked:
-      return "checked";
-  }
-  return "undecided";
+  return name_of<Truth::checked>(truth, "proved", "refuted", "undecided", "assumed", "checked");
 }
 
 namespace {

@@ -32,13 +32,9 @@ Decimal as_printed(const PrintedResult& result, const Ball& value) {
 }
 
 Comparison compared(const std::string& name, const Decimal& printed, const Ball& value) {
-  const PrintedComparison comparison = compare_printed(name, printed, value);
-  return {name,
-          symbolic::typeset::latex_name(name),
-          printed.text,
-          comparison.value,
-          comparison.units,
-          comparison.verdict};
+  const PrintedComparison comparison = compare_printed(printed, value);
+  return {
+      name, symbolic::typeset::latex_name(name), printed.text, value, comparison.units, comparison.verdict};
 }
 
 Outcome at_the_data(const Example& example, const std::string& route) {
