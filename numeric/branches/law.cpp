@@ -198,7 +198,6 @@ Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, st
   Part part{k, first, last, {}, 0, State::undecided, {}, {}, {}, 0, false, cell.in_units != nullptr};
   const ParametricProof proof = proof_on(curve, cell, first, last);
   if (proof.verdict.truth != Truth::proved) {
-    arb_zero_pm_inf(part.value.raw());
     part.value = cell.driver == by_parameter ? between(first, last) : cell.proof.box(cell.driver);
     part.reason = proof.verdict.reason;
     return part;
@@ -243,8 +242,6 @@ std::vector<Part> parts_of(const Curve& curve, const Law& law, const std::vector
   }
   return parts;
 }
-
-using zeros::ParameterJet;
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include "core/names.hpp"
 #include "numeric/branches/law.hpp"
 #include "numeric/branches/setting.hpp"
-#include "numeric/families/family.hpp"
+#include "numeric/families/isolate.hpp"
 
 namespace stickslip::numeric::branches {
 
@@ -115,6 +115,8 @@ class Search {
   void follow_from(const Rational& value);
   // False, with the reason in `why`, when no motion is proved there.
   [[nodiscard]] bool add(const Candidate& candidate, const Rational& value, std::string& why);
+  // The sheet of that system; null if nothing was found on it.
+  [[nodiscard]] Sheet * known_sheet(int system);
   [[nodiscard]] Sheet& sheet_of(const Candidate& candidate);
   void exhaust();
   [[nodiscard]] std::vector<zeros::UnresolvedBox<3>> rest_of(const Strip& strip, const zeros::Cell<3>& cell,
@@ -130,16 +132,19 @@ class Search {
   std::mutex far_mutex_;
 };
 
+Sheet * Search::known_sheet(int system) {
+  const auto found = std::ranges::find(all_.sheets, system, &Sheet::system);
+  return found == all_.sheets.end() ? nullptr : &*found;
+}
+
 Sheet& Search::sheet_of(const Candidate& candidate) {
-  std::vector<Sheet>& sheets = all_.sheets;
-  const auto found = std::find_if(sheets.begin(), sheets.end(),
-                                  [&](const Sheet& sheet) { return sheet.system == candidate.system; });
-  if (found != sheets.end()) {
-    return *found;
+  if (Sheet * const known = known_sheet(candidate.system)) {
+    return *known;
   }
-  sheets.push_back({candidate.system, curve_of(question_, candidate.equations), {}});
-  sheets.back().curve.angle = candidate.angle;
-  return sheets.back();
+  Sheet& sheet =
+      all_.sheets.emplace_back(Sheet{candidate.system, curve_of(question_, candidate.equations), {}});
+  sheet.curve.angle = candidate.angle;
+  return sheet;
 }
 
 bool Search::add(const Candidate& candidate, const Rational& value, std::string& why) {
@@ -151,7 +156,7 @@ bool Search::add(const Candidate& candidate, const Rational& value, std::string&
   }
   const Driven f{&sheet.curve, by_parameter};
   if (!candidate.is_same(f.motion<Ball>(start.point.x, zeros::Vector::Constant(1, start.point.value)))) {
-    why = "the motion that was proved near a zero may be another one";
+    why = may_be_another;
     return false;
   }
   if (sheet.branches.empty()) {
@@ -233,16 +238,15 @@ void Search::follow_from(const Rational& value) {
 // The boxes of the cell that may hold closed motions on no branch.
 std::vector<zeros::UnresolvedBox<3>> Search::rest_of(const Strip& strip, const zeros::Cell<3>& cell,
                                                      double smallest) {
-  const auto sheet = std::find_if(all_.sheets.begin(), all_.sheets.end(),
-                                  [&](const Sheet& s) { return s.system == strip.system; });
+  const Sheet * const sheet = known_sheet(strip.system);
   const auto is_known = [&](const Strip::View& view) {
-    return sheet != all_.sheets.end() &&
+    return sheet != nullptr &&
            (std::any_of(sheet->branches.begin(), sheet->branches.end(),
                         [&](const Followed& branch) { return branch.tubes.hold(view.x, view.parameter); }) ||
             std::any_of(view.large.begin(), view.large.end(),
                         [&](const LargeBounds& large) { return hold_large(*sheet, large, view.parameter); }));
   };
-  const double far = sheet == all_.sheets.end() ? HUGE_VAL : sheet->curve.far;
+  const double far = sheet == nullptr ? HUGE_VAL : sheet->curve.far;
   const auto are_far = [&](const Strip::View& view) {
     return std::any_of(view.x.begin(), view.x.end(),
                        [&](const Bounds& side) { return side.first > far || side.second < -far; }) ||
@@ -253,7 +257,7 @@ std::vector<zeros::UnresolvedBox<3>> Search::rest_of(const Strip& strip, const z
   };
   // Else no branch is known to go there.
   const bool to_infinity =
-      sheet != all_.sheets.end() &&
+      sheet != nullptr &&
       std::any_of(sheet->branches.begin(), sheet->branches.end(), [](const Followed& branch) {
         return branch.first.kind == End::infinite || branch.last.kind == End::infinite;
       });

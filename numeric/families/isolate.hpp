@@ -67,10 +67,11 @@ void conclude_all(const std::vector<Some>& all, const Conclude& conclude, std::v
 //   contract(X), decide(X)   for the search of zeros/search.hpp
 //   left_open(box)           what is said of an unresolved box; nothing where it holds no motion
 // conclude(found): Concluded<Zero> of a zero, at guess_bits; they are taken by rising first unknown.
-template <class Zero, int N, class Equations, class Conclude, class Halved = zeros::detail::LongestSide<N>>
+template <class Zero, int N, class Equations, class Conclude,
+          class Halved = std::size_t(const zeros::Cell<N>&)>
 [[nodiscard]] FoundOf<Zero> isolate(const zeros::Cell<N>& domain, const zeros::SearchLimits& limits,
                                     const Equations& equations, const Conclude& conclude,
-                                    const Halved& halved = {}) {
+                                    const Halved& halved = zeros::detail::longest_side<N>) {
   FoundOf<Zero> list;
   zeros::SearchResult<N> result;
   {

@@ -21,10 +21,6 @@
 
 namespace stickslip::numeric::scalars {
 
-// sum + |x| for all members of x, from above.
-inline void add_magnitude(double& sum, const HardwareBall& x) {
-  sum = (sum + std::abs(x.approximate()) + x.radius()) * (1 + 0x1p-50);
-}
 // What is not a number is as wide as can be.
 [[nodiscard]] inline bool is_narrower(const HardwareBall& a, const HardwareBall& b) {
   return a.radius() < b.radius() || std::isnan(b.radius());
@@ -45,7 +41,7 @@ template <std::size_t N>
 [[nodiscard]] HardwareBall sway(const std::array<HardwareBall, N>& slopes) {
   double sum = 0;
   for (const HardwareBall& slope : slopes) {
-    add_magnitude(sum, slope);
+    sum = (sum + std::abs(slope.approximate()) + slope.radius()) * (1 + 0x1p-50);  // from above
   }
   return HardwareBall::within(sum);
 }

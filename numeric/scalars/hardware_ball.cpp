@@ -110,11 +110,10 @@ HardwareBall::HardwareBall(const Ball& ball)
 }
 
 Ball HardwareBall::ball() const {
-  Ball result;
   if (!is_finite()) {
-    arb_indeterminate(result.raw());
-    return result;
+    return anything();
   }
+  Ball result;
   arb_set_d(result.raw(), mid_);
   mag_set_d(arb_radref(result.raw()), rad_);
   return result;

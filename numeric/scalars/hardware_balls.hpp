@@ -63,13 +63,6 @@ class HardwareBalls {
     }
     return difference;
   }
-  friend HardwareBalls operator-(const HardwareBalls& x) {
-    HardwareBalls negative = x;
-    for (std::size_t i = 0; i < width; ++i) {
-      negative.mid_[i] = -x.mid_[i];
-    }
-    return negative;
-  }
   // a x, of each.
   friend HardwareBalls operator*(const HardwareBall& a, const HardwareBalls& x) {
     const double mid_a = a.approximate(), rad_a = a.radius();

@@ -126,11 +126,6 @@ template <int N>
   return longest;
 }
 
-template <int N>
-struct LongestSide {
-  [[nodiscard]] std::size_t operator()(const Cell<N>& cell) const { return longest_side<N>(cell); }
-};
-
 // What came of a cell: nothing if it holds no zero that is not known.
 template <int N>
 struct Examined {
@@ -180,9 +175,10 @@ void leave_open(SearchResult<N>& result, const Box<N>& box, const std::string& r
 // from several threads at once. A zero of the result may lie just outside the domain, where its enclosure
 // reaches across the boundary: the caller refines it and looks. halved: Cell<N> -> which side is to be
 // halved; the longest one is where that is below the smallest.
-template <int N, class Contract, class Decide, class Halved = detail::LongestSide<N>>
+template <int N, class Contract, class Decide, class Halved = std::size_t(const Cell<N>&)>
 [[nodiscard]] SearchResult<N> search(const Cell<N>& domain, const Contract& contract, const Decide& decide,
-                                     const SearchLimits& limits = {}, const Halved& halved = {}) {
+                                     const SearchLimits& limits = {},
+                                     const Halved& halved = detail::longest_side<N>) {
   SearchResult<N> result;
   std::vector<Cell<N>> unique;  // of the zeros
   const auto is_known = [&](const Cell<N>& cell) {
