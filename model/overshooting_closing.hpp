@@ -31,23 +31,6 @@
 
 namespace stickslip::model {
 
-template <class S>
-struct OvershootingData {
-  S chi;
-  S eta;
-  Modes<S> m;
-  S us;
-  S V;
-  S omega;
-  S p;
-  S Theta;  // 2 pi/omega
-};
-
-template <class T, class S>
-[[nodiscard]] OvershootingData<T> lift(const OvershootingData<S>& a) {
-  return {T(a.chi), T(a.eta), lift<T>(a.m), T(a.us), T(a.V), T(a.omega), T(a.p), T(a.Theta)};
-}
-
 // One equation a·x + C·y + … = 0 by its coefficients.
 template <class S>
 struct OvershootingRow {
@@ -61,7 +44,7 @@ struct OvershootingRow {
 
 // odd_1 and odd_2. Their columns a, D and cos psi are zero.
 template <class S>
-[[nodiscard]] std::array<OvershootingRow<S>, 2> overshooting_odd(const OvershootingData<S>& d, const S& tau,
+[[nodiscard]] std::array<OvershootingRow<S>, 2> overshooting_odd(const ReducedData<S>& d, const S& tau,
                                                                  const S& tau1) {
   using std::cos;
   const S total = tau + tau1;
@@ -85,7 +68,7 @@ template <class S>
 
 // even_1 and even_2. Their columns C and sin psi are zero.
 template <class S>
-[[nodiscard]] std::array<OvershootingRow<S>, 2> overshooting_even(const OvershootingData<S>& d, const S& tau,
+[[nodiscard]] std::array<OvershootingRow<S>, 2> overshooting_even(const ReducedData<S>& d, const S& tau,
                                                                   const S& tau1) {
   using std::sin;
   const S total = tau + tau1;
@@ -140,8 +123,7 @@ template <class S>
 
 // turn, multiplied by lambda_2 - lambda_1.
 template <class S>
-[[nodiscard]] OvershootingRow<S> overshooting_turn(const OvershootingData<S>& d, const S& tau,
-                                                   const S& tau1) {
+[[nodiscard]] OvershootingRow<S> overshooting_turn(const ReducedData<S>& d, const S& tau, const S& tau1) {
   const S half_T = (d.Theta - tau - tau1) / S(2);
   const S b = d.omega * tau / S(2);
   const S b1 = d.omega * tau1 / S(2);
@@ -176,8 +158,8 @@ template <class S>
 
 // (12), (24): chi (z20 - z10) - p/eta cos(phi) + us - ur = 0, phi = psi - omega (tau + tau1)/2.
 template <class S>
-[[nodiscard]] OvershootingRow<S> overshooting_friction(const OvershootingData<S>& d, const S& ur,
-                                                       const S& tau, const S& tau1) {
+[[nodiscard]] OvershootingRow<S> overshooting_friction(const ReducedData<S>& d, const S& ur, const S& tau,
+                                                       const S& tau1) {
   const std::pair<S, S> stick = sin_cos(S((d.Theta - tau - tau1) / S(2)));
   const std::pair<S, S> load = sin_cos(S(d.omega * S(tau + tau1) / S(2)));
   const S stiffness = d.chi * S(S(1) - d.chi);
@@ -193,7 +175,7 @@ template <class S>
 
 // The state Z0 at the beginning of the slip.
 template <class S>
-[[nodiscard]] Vector4<S> overshooting_start(const OvershootingData<S>& d, const S& T, const S& a, const S& C,
+[[nodiscard]] Vector4<S> overshooting_start(const ReducedData<S>& d, const S& T, const S& a, const S& C,
                                             const S& D) {
   const S half_T = T / S(2);
   const std::pair<S, S> stick = sin_cos(half_T);

@@ -63,8 +63,8 @@ struct Beside {
 
 // direction: 1 where the stick ends, -1 where it begins.
 template <class S>
-[[nodiscard]] Beside<S> beside(const OvershootingData<S>& d, const S& omega_k, const S& lambda_k,
-                               const S& half_T, int direction) {
+[[nodiscard]] Beside<S> beside(const ReducedData<S>& d, const S& omega_k, const S& lambda_k, const S& half_T,
+                               int direction) {
   const std::pair<S, S> stick = sin_cos(half_T);
   const S square = omega_k * omega_k;
   const S way(direction);
@@ -82,8 +82,7 @@ template <class S>
 // Of a phase of the duration h; the load's phase at its middle is psi + delta.
 template <class S>
 [[nodiscard]] OvershootingRow<S> mean_acceleration_row(const Beside<S>& from, const S& omega_j,
-                                                       const OvershootingData<S>& d, const S& h,
-                                                       const S& delta) {
+                                                       const ReducedData<S>& d, const S& h, const S& delta) {
   const S k = omega_j * h / S(2);
   const std::pair<S, S> at_k = sin_cos(k);
   const S factor = -omega_j * S(sinc(k));
@@ -100,8 +99,8 @@ template <class S>
 
 // The friction's part of odd_j and even_j, for rows whose friction does not turn.
 template <class S>
-void add_overshoot(const OvershootingData<S>& d, const SlipTimes<S>& t,
-                   std::array<OvershootingRow<S>, 2>& odd, std::array<OvershootingRow<S>, 2>& even) {
+void add_overshoot(const ReducedData<S>& d, const SlipTimes<S>& t, std::array<OvershootingRow<S>, 2>& odd,
+                   std::array<OvershootingRow<S>, 2>& even) {
   const std::array<S, 2> omega{d.m.omega1, d.m.omega2};
   for (std::size_t j = 0; j < 2; ++j) {
     const std::pair<S, S> middle = sin_cos(S(omega[j] * S(t[0] - t[2]) / S(2)));
@@ -113,7 +112,7 @@ void add_overshoot(const OvershootingData<S>& d, const SlipTimes<S>& t,
 
 // F0 - F1 and F2 - F1, multiplied by lambda_2 - lambda_1; half_T is T/2.
 template <class S>
-[[nodiscard]] std::array<OvershootingRow<S>, 2> slip_again_turns(const OvershootingData<S>& d,
+[[nodiscard]] std::array<OvershootingRow<S>, 2> slip_again_turns(const ReducedData<S>& d,
                                                                  const SlipTimes<S>& t, const S& half_T) {
   using namespace detail;
   std::array<OvershootingRow<S>, 2> rows;

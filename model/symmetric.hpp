@@ -55,15 +55,24 @@ template <class S>
 // regular also at the resonances omega = omega_j. No step divides by anything that can vanish: for every
 // tau in [0, Theta] the two equations hold for some C if and only if all of (13) and (15) hold.
 
-// The data of the reduced equations. They need no load amplitude vector Q.
+// The data of reduced equations, of these and those of overshooting_closing.hpp. They need no load amplitude
+// vector Q.
 template <class S>
-struct SymmetricData {
-  S chi;
+struct ReducedData : Parameters<S> {
   Modes<S> m;
-  S V;
-  S omega;
-  S p;
   S Theta;  // 2 pi/omega
+};
+template <class S>
+[[nodiscard]] ReducedData<S> reduced_data(const Parameters<S>& a, const S& pi) {
+  return {a, modes<S>(a.chi, a.eta), S(S(2) * pi / a.omega)};
+}
+template <class T, class S>
+[[nodiscard]] ReducedData<T> lift(const ReducedData<S>& a) {
+  return {lift<T>(static_cast<const Parameters<S>&>(a)), lift<T>(a.m), T(a.Theta)};
+}
+
+template <class S>
+struct SymmetricData : ReducedData<S> {
   S sigma;  // +1: phi = (pi - omega tau)/2; -1: that plus pi
 };
 

@@ -26,7 +26,7 @@ struct OvershootingOrbit : MotionOver<scalars::Form<S, N>> {
     families::OneStickData<T> closing;
   };
   [[nodiscard]] static Setting setting(const model::Parameters<T>& data, const T& phi) {
-    return {model::oscillator<T>(data), {families::overshooting_data<T>(data, T(scalars::pi<S>())), phi}};
+    return {model::oscillator<T>(data), {model::reduced_data<T>(data, T(scalars::pi<S>())), phi}};
   }
 
   // Two functions that vanish where the rows hold for some amplitudes (a, C, D); nothing when the rows, for

@@ -57,8 +57,7 @@ template <class T>
 
 template <class T>
 [[nodiscard]] model::SymmetricData<T> symmetric_data(const Setting<T>& s, int sign) {
-  const model::Parameters<T>& a = s.o.data;
-  return {a.chi, s.o.modes, a.V, a.omega, a.p, s.Theta, T(sign)};
+  return {{s.o.data, s.o.modes, s.Theta}, T(sign)};
 }
 
 // G of the equations below at delta = pi u.

@@ -42,14 +42,14 @@ class SymmetricOrbit {
     if (!rows.left(j).over.is_nonzero()) {
       return std::nullopt;
     }
-    return SymmetricOrbit(data, s.o.data, tau, T(rows.right(j) / rows.left(j)));
+    return SymmetricOrbit(data, tau, T(rows.right(j) / rows.left(j)));
   }
 
   // Whether it obeys the requirement; one that follows from the others counts as proved.
   [[nodiscard]] Decision holds(const motion::Requirement& q, double least, Times& open) const {
     switch (q.quantity) {
       case motion::Quantity::slipping_friction:
-        return decide_positive(us_);
+        return decide_positive(a_.us);
       case motion::Quantity::friction_step:
         return decide_positive(step_);
       case motion::Quantity::below_belt: {
@@ -108,7 +108,7 @@ class SymmetricOrbit {
     const T k = kappa();
     const T to_load = a_.omega * T(cos(T(a_.omega * T_ / T(2))));
     T rho1(0);  // with sigma
-    T rho2 = eta_ * step_ / rate_ * a_.sigma * to_load / eta_;
+    T rho2 = a_.eta * step_ / rate_ * a_.sigma * to_load / a_.eta;
     std::array<T, 2> A, P, E;
     for (std::size_t j = 0; j < 2; ++j) {
       const T& w = m[j].omega;
@@ -135,18 +135,16 @@ class SymmetricOrbit {
 
  private:
   // chi x2''(0+)/r' at the break-away.
-  [[nodiscard]] T kappa() const { return -a_.chi * eta_ * step_ / rate_; }
+  [[nodiscard]] T kappa() const { return -a_.chi * a_.eta * step_ / rate_; }
 
-  SymmetricOrbit(const model::SymmetricData<T>& a, const model::Parameters<T>& data, const T& tau, const T& C)
+  SymmetricOrbit(const model::SymmetricData<T>& a, const T& tau, const T& C)
       : a_(a),
-        eta_(data.eta),
-        us_(data.us),
         tau_(tau),
         T_(a.Theta - tau),
         C_(C),
         stiffness_(a.chi * (T(1) - a.chi) * a.V),
         kick_(a.chi * C),
-        load_(a.sigma * a.p / data.eta) {
+        load_(a.sigma * a.p / a.eta) {
     const std::array<T, 2> at_break_away = rho(T(T_ / T(2)));
     step_ = at_break_away[0];
     rate_ = at_break_away[1];
@@ -227,7 +225,7 @@ class SymmetricOrbit {
   }
 
   model::SymmetricData<T> a_;
-  T eta_, us_, tau_, T_, C_;
+  T tau_, T_, C_;
   T stiffness_, kick_, load_;
   T step_;  // ur - us
   T rate_;  // of r at the break-away

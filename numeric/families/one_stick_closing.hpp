@@ -20,7 +20,7 @@ enum class Datum { phase, friction };  // what is given: phi, or ur
 // The equations' data; Theta is how long the motion lasts, `given` phi or ur.
 template <class S>
 struct OneStickData {
-  model::OvershootingData<S> d;
+  model::ReducedData<S> d;
   S given;
 };
 

@@ -52,8 +52,8 @@ Eigen::Matrix<T, static_cast<int>(R), OneStick<N, G>::columns> as_matrix(
 // The data for the rows of a motion's halves: with one time the friction does not turn, and with three
 // add_overshoot turns it.
 template <class T, int N>
-model::OvershootingData<T> of_halves(const model::OvershootingData<T>& d) {
-  model::OvershootingData<T> result = d;
+model::ReducedData<T> of_halves(const model::ReducedData<T>& d) {
+  model::ReducedData<T> result = d;
   if (N != 2) {
     result.us = T(0);
   }

@@ -16,21 +16,16 @@ namespace stickslip::numeric::families {
 // With phi given, any real number; or with ur > 0 given, for which p > 0 is needed (DomainError).
 [[nodiscard]] const Family& overshooting();
 
-// The data of the reduced equations.
-template <class T>
-[[nodiscard]] model::OvershootingData<T> overshooting_data(const model::Parameters<T>& a, const T& pi) {
-  return {a.chi, a.eta, model::modes<T>(a.chi, a.eta), a.us, a.V, a.omega, a.p, T(T(2) * pi / a.omega)};
-}
-// At the working precision.
+// The data of the reduced equations, at the working precision.
 template <class S>
-[[nodiscard]] model::OvershootingData<S> overshooting_data(const motion::ExactParameters& a) {
-  return overshooting_data<S>(motion::parameters_as<S>(a), scalars::pi<S>());
+[[nodiscard]] model::ReducedData<S> overshooting_data(const motion::ExactParameters& a) {
+  return model::reduced_data<S>(motion::parameters_as<S>(a), scalars::pi<S>());
 }
 
 // The motion of (tau, tau1, a, C, D): z2' = V where the overshoot begins, and the stick from its own form, as
 // the reduced equations say.
 template <class T>
-[[nodiscard]] motion::MotionOf<T> overshooting_motion(const model::OvershootingData<T>& d,
+[[nodiscard]] motion::MotionOf<T> overshooting_motion(const model::ReducedData<T>& d,
                                                       const model::Oscillator<T>& o, const T& phi,
                                                       const zeros::VectorOf<T>& x) {
   using motion::PhaseKind;
@@ -54,12 +49,12 @@ struct OvershootingClosing {
   bool takes_ur = false;
 
   template <class T>
-  [[nodiscard]] static model::OvershootingData<T> data(const zeros::VectorOf<T>& p) {
-    return overshooting_data<T>({p(0), p(1), p(2), p(3), p(4), p(5)}, T(Ball::pi()));
+  [[nodiscard]] static model::ReducedData<T> data(const zeros::VectorOf<T>& p) {
+    return model::reduced_data<T>({p(0), p(1), p(2), p(3), p(4), p(5)}, T(Ball::pi()));
   }
   template <class T>
   [[nodiscard]] zeros::VectorOf<T> closing(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
-    const model::OvershootingData<T> d = data<T>(p);
+    const model::ReducedData<T> d = data<T>(p);
     const std::pair<T, T> psi = sin_cos(T((takes_phi ? p(6) : x(5)) + d.omega * T(x(0) + x(1)) / T(2)));
     const auto residual = [&](const model::OvershootingRow<T>& r) {
       return T(r.a * x(2) + r.C * x(3) + r.D * x(4) + r.cos_psi * psi.second + r.sin_psi * psi.first + r.one);
@@ -76,7 +71,6 @@ struct OvershootingClosing {
   }
   template <class T>
   [[nodiscard]] motion::MotionOf<T> motion(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
-    using motion::PhaseKind;
     return overshooting_motion<T>(data<T>(p), motion::oscillator_of<T>(p), takes_phi ? p(6) : x(5), x);
   }
   // Throws InternalError unless the motion has three phases.

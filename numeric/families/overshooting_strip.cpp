@@ -83,7 +83,7 @@ struct OverStrip {
   template <class T, class S>
   [[nodiscard]] Reduced<T> operator()(const Given<T>& given, const T& s, const T& w) const {
     constexpr bool at_phase = G == Datum::phase;
-    const OneStickData<T> data{overshooting_data<T>(given.data, T(scalars::pi<S>())),
+    const OneStickData<T> data{model::reduced_data<T>(given.data, T(scalars::pi<S>())),
                                at_phase ? *given.phi : *given.ur};
     const Eigen::Matrix<T, 2, 1> sw(s, w);
     const AllRows<OneStick<2, G>, T> rows = rows_of<2, G, T>(data, sw);

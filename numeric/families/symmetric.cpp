@@ -166,11 +166,9 @@ struct OverStrip {
 
   template <class T, class S>
   [[nodiscard]] Reduced<T> operator()(const Given<T>& given, const T& u, const T& /*none*/) const {
-    const model::Parameters<T>& a = given.data;
-    const T Theta = T(2) * T(scalars::pi<S>()) / a.omega;
-    const model::SymmetricData<T> data{a.chi, model::modes<T>(a.chi, a.eta),        a.V, a.omega, a.p,
-                                       Theta, T(phase == LoadPhase::first ? 1 : -1)};
-    const T tau = Theta * u;
+    const model::SymmetricData<T> data{model::reduced_data<T>(given.data, T(scalars::pi<S>())),
+                                       T(phase == LoadPhase::first ? 1 : -1)};
+    const T tau = data.Theta * u;
     const model::SymmetricRows<T> rows = model::symmetric_rows<T>(data, tau);
     Reduced<T> result{{T(rows.left(1) * rows.right(0) - rows.left(0) * rows.right(1))}};
     for (const int k : {0, 1}) {

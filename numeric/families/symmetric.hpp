@@ -15,19 +15,6 @@ enum class LoadPhase {
   second,  // that plus pi
 };
 
-// The motion that (tau, C) stand for: the stick begins at E Z0 (13). half_turn is pi.
-template <class T>
-[[nodiscard]] motion::MotionOf<T> symmetric_motion(const model::SymmetricData<T>& a,
-                                                   const model::Oscillator<T>& o, const T& half_turn,
-                                                   const T& tau, const T& C) {
-  const model::Vector4<T> Z0 = model::symmetric_start<T>(a, tau, C);
-  const model::Vector4<T> ZC(T(-Z0(0)), T(-Z0(1)), Z0(2), Z0(3));
-  const T phi = model::symmetric_phase<T>(a, half_turn, tau);
-  return {o,
-          {{motion::PhaseKind::slip, T(0), tau, phi, Z0},
-           {motion::PhaseKind::stick, tau, T(a.Theta - tau), T(phi + a.omega * tau), ZC}}};
-}
-
 // The reduced equations, which hold if and only if all components of (13) and (15) do, in x = (tau, C), C the
 // amplitude of z1 about chi z2 during the stick; for motion/closing.hpp.
 struct SymmetricClosing {
@@ -36,21 +23,25 @@ struct SymmetricClosing {
 
   template <class T>
   [[nodiscard]] model::SymmetricData<T> data(const zeros::VectorOf<T>& p) const {
-    return {p(0),
-            model::modes<T>(p(0), p(1)),
-            p(3),
-            p(4),
-            p(5),
-            T(T(2) * T(Ball::pi()) / p(4)),
+    return {model::reduced_data<T>({p(0), p(1), p(2), p(3), p(4), p(5)}, T(Ball::pi())),
             T(phase == LoadPhase::first ? 1 : -1)};
   }
   template <class T>
   [[nodiscard]] zeros::VectorOf<T> closing(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
     return model::symmetric_closing<T>(data<T>(p), x(0), x(1));
   }
+  // The stick begins at E Z0 (13).
   template <class T>
   [[nodiscard]] motion::MotionOf<T> motion(const zeros::VectorOf<T>& x, const zeros::VectorOf<T>& p) const {
-    return symmetric_motion<T>(data<T>(p), motion::oscillator_of<T>(p), T(Ball::pi()), x(0), x(1));
+    using motion::PhaseKind;
+    const model::SymmetricData<T> a = data<T>(p);
+    const T& tau = x(0);
+    const model::Vector4<T> Z0 = model::symmetric_start<T>(a, tau, x(1));
+    const model::Vector4<T> ZC(T(-Z0(0)), T(-Z0(1)), Z0(2), Z0(3));
+    const T phi = model::symmetric_phase<T>(a, T(Ball::pi()), tau);
+    return {motion::oscillator_of<T>(p),
+            {{PhaseKind::slip, T(0), tau, phi, Z0},
+             {PhaseKind::stick, tau, T(a.Theta - tau), T(phi + a.omega * tau), ZC}}};
   }
   // Throws InternalError unless the motion has two phases.
   [[nodiscard]] zeros::Vector unknowns(const motion::Motion& motion) const;
@@ -66,8 +57,7 @@ struct SymmetricEliminant {
 
   template <class T>
   [[nodiscard]] Eigen::Matrix<T, 1, 1> operator()(const Eigen::Matrix<T, 1, 1>& u) const {
-    const model::SymmetricData<T> d{T(data.chi), model::lift<T>(data.m), T(data.V),    T(data.omega),
-                                    T(data.p),   T(data.Theta),          T(data.sigma)};
+    const model::SymmetricData<T> d{model::lift<T>(data), T(data.sigma)};
     return Eigen::Matrix<T, 1, 1>(model::symmetric_eliminant<T>(d, T(d.Theta * u(0))));
   }
 };

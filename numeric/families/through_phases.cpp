@@ -41,10 +41,8 @@ P equations_of(const ThroughPhases& q) {
   if constexpr (sticks_twice<P>) {
     const model::Parameters<Ball> a = parameters_as<Ball>(q.given.data);
     const auto sign = [&](std::size_t k) { return q.phases[k] == PhaseKind::slip ? 1 : -1; };
-    return P({a,
-              model::modes<Ball>(a.chi, a.eta),
+    return P({{a, model::modes<Ball>(a.chi, a.eta), Ball(2 * q.periods) * Ball::pi() / a.omega},
               Ball(*q.given.ur),
-              Ball(2 * q.periods) * Ball::pi() / a.omega,
               {sign(0), sign(2)}});
   } else {
     OneStickData<Ball> data{overshooting_data<Ball>(q.given.data),

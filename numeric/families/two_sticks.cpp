@@ -10,7 +10,7 @@ using scalars::HardwareBall;
 
 template <class T, class S>
 TwoSticksData<T> lifted(const TwoSticksData<S>& d) {
-  return {model::lift<T>(d.a), model::lift<T>(d.m), T(d.ur), T(d.total), d.sign};
+  return {model::lift<T>(d), T(d.ur), d.sign};
 }
 
 namespace {
@@ -41,13 +41,13 @@ struct Between {
 
 template <class T>
 std::array<Between<T>, 2> phases_between(const TwoSticksData<T>& d, const Eigen::Matrix<T, 3, 1>& x) {
-  const std::array<T, 4> t = all_durations<T>(d.total, x);
+  const std::array<T, 4> t = all_durations<T>(d.Theta, x);
   const T half1 = t[1] / T(2), half2 = t[3] / T(2);
   const std::pair<T, T> stick1 = sin_cos(half1), stick2 = sin_cos(half2);
-  const T force = d.a.eta * d.a.us;
-  return {{{t[0], stick2, stick1, half2, half1, 3, 0, sin_cos(T(-d.a.omega * T(t[1] + t[0]) / T(2))),
+  const T force = d.eta * d.us;
+  return {{{t[0], stick2, stick1, half2, half1, 3, 0, sin_cos(T(-d.omega * T(t[1] + t[0]) / T(2))),
             d.sign[0] > 0 ? force : T(-force)},
-           {t[2], stick1, stick2, half1, half2, 0, 3, sin_cos(T(d.a.omega * T(t[1] + t[2]) / T(2))),
+           {t[2], stick1, stick2, half1, half2, 0, 3, sin_cos(T(d.omega * T(t[1] + t[2]) / T(2))),
             d.sign[1] > 0 ? force : T(-force)}}};
 }
 
@@ -80,9 +80,9 @@ Row<T> odd(const TwoSticksData<T>& d, const Between<T>& b, const Mode<T>& j) {
   row(b.amplitudes_before + 1) = -j.lambda * T(c * b.before.first + s * b.before.second);
   row(b.amplitudes_after + 2) = j.lambda * T(c * b.after.second - s * b.after.first);
   row(b.amplitudes_before + 2) = -j.lambda * T(c * b.before.second - s * b.before.first);
-  row(one) = d.a.V * square * T(c * T(b.half_before + b.half_after) + T(2) * s);
+  row(one) = d.V * square * T(c * T(b.half_before + b.half_after) + T(2) * s);
   // S_j = -S sin(psi_b): the load's part is odd in s for sin(psi_b).
-  const T load = d.a.p * model::load_transfer<T>(j.omega, d.a.omega, b.t);
+  const T load = d.p * model::load_transfer<T>(j.omega, d.omega, b.t);
   row(cos_psi) = load * b.load.first;
   row(sin_psi) = load * b.load.second;
   return row;
@@ -99,8 +99,8 @@ template <class T>
 Even<T> even(const TwoSticksData<T>& d, const Between<T>& b, const T& omega_j) {
   const T half = b.t / T(2);
   const T s = T(sinc(T(omega_j * half)));
-  const T near = T(sinc(T((omega_j - d.a.omega) * half))), far = T(sinc(T((omega_j + d.a.omega) * half)));
-  return {T(omega_j * omega_j * s), T(d.a.p * T(near + far) / T(2)), T(b.friction * s)};
+  const T near = T(sinc(T((omega_j - d.omega) * half))), far = T(sinc(T((omega_j + d.omega) * half)));
+  return {T(omega_j * omega_j * s), T(d.p * T(near + far) / T(2)), T(b.friction * s)};
 }
 
 // even_j, or a sum of multiples of both: s for lambda_k omega_j sin(alpha_j)/2, `sine_of_place` for omega_k²
@@ -116,7 +116,7 @@ Row<T> even_row(const TwoSticksData<T>& d, const Between<T>& b, const T& s, cons
   row(b.amplitudes_before + 1) = s * b.before.first - cosine * b.before.second;
   row(b.amplitudes_after + 2) = s * b.after.second + cosine * b.after.first;
   row(b.amplitudes_before + 2) = s * b.before.second + cosine * b.before.first;
-  row(one) = friction - sine_of_place * d.a.V * T(b.half_before - b.half_after);
+  row(one) = friction - sine_of_place * d.V * T(b.half_before - b.half_after);
   row(cos_psi) = load * b.load.second;
   row(sin_psi) = -load * b.load.first;
   return row;
@@ -144,16 +144,15 @@ std::array<Row<T>, 2> even_rows(const TwoSticksData<T>& d, const Between<T>& b) 
 // The stick before the phase ends with r = ± ur: chi (x2 - x1) - p/eta cos(load) ∓ ur = 0.
 template <class T>
 Row<T> friction_row(const TwoSticksData<T>& d, const Between<T>& b, int sign, const T& load_later) {
-  const model::Parameters<T>& a = d.a;
-  const T stiffness = a.chi * T(T(1) - a.chi);
+  const T stiffness = d.chi * T(T(1) - d.chi);
   const std::pair<T, T> load = sin_cos(load_later);
   Row<T> row = zero_row<T>();
   row(b.amplitudes_before) = stiffness;
-  row(b.amplitudes_before + 1) = -a.chi * b.before.first;
-  row(b.amplitudes_before + 2) = -a.chi * b.before.second;
-  row(cos_psi) = -a.p / a.eta * load.second;
-  row(sin_psi) = a.p / a.eta * load.first;
-  row(one) = stiffness * a.V * b.half_before - (sign > 0 ? d.ur : T(-d.ur));
+  row(b.amplitudes_before + 1) = -d.chi * b.before.first;
+  row(b.amplitudes_before + 2) = -d.chi * b.before.second;
+  row(cos_psi) = -d.p / d.eta * load.second;
+  row(sin_psi) = d.p / d.eta * load.first;
+  row(one) = stiffness * d.V * b.half_before - (sign > 0 ? d.ur : T(-d.ur));
   return row;
 }
 
@@ -176,10 +175,10 @@ FirstRows<TwoSticks, T> first_rows(const TwoSticks& problem, const Eigen::Matrix
 template <class T>
 OtherRows<TwoSticks, T> other_rows(const TwoSticks& problem, const Eigen::Matrix<T, 3, 1>& x) {
   const TwoSticksData<T> d = data_over<T>(problem);
-  const std::array<T, 4> t = all_durations<T>(d.total, x);
+  const std::array<T, 4> t = all_durations<T>(d.Theta, x);
   const std::array<Between<T>, 2> between = phases_between<T>(d, x);
   // How much later than psi the load is where either phase begins.
-  const std::array<T, 2> begins{T(-d.a.omega * T(t[1] / T(2) + t[0])), T(d.a.omega * t[1] / T(2))};
+  const std::array<T, 2> begins{T(-d.omega * T(t[1] / T(2) + t[0])), T(d.omega * t[1] / T(2))};
   OtherRows<TwoSticks, T> rows;
   int i = 0;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -211,16 +210,12 @@ std::optional<ClosedTimes<3>> TwoSticks::motion_at(const LinearEliminant<TwoStic
     return std::nullopt;
   }
   const TwoSticksData<Ball>& d = f.problem.exact;
-  const std::array<Ball, 4> t = all_durations<Ball>(d.total, x);
-  const Ball half = t[3] / Ball(2);
-  const auto [sine, cosine] = sin_cos(half);
+  const std::array<Ball, 4> t = all_durations<Ball>(d.Theta, x);
   const auto& u = linear->amplitudes;
-  const Ball x2 = u(3) + d.a.V * half;
-  const model::Vector2<Ball> d0 = model::d0<Ball>(d.a.chi, d.a.us);
-  const model::Vector4<Ball> Z0(d.a.chi * x2 + u(4) * sine + u(5) * cosine - d0(0), x2 - d0(1),
-                                d.a.chi * d.a.V + u(4) * cosine - u(5) * sine, d.a.V);
+  model::Vector4<Ball> Z0 = model::overshooting_start<Ball>(d, t[3], u(3), u(4), u(5));
+  Z0.head<2>() -= model::d0<Ball>(d.chi, d.us);
   return ClosedTimes<3>{zeros::Box<3>(t[0], t[1], t[2]), t[3], Z0,
-                        angle(*linear->cos_sin_psi, -d.a.omega * (t[0] + t[1] / Ball(2)))};
+                        angle(*linear->cos_sin_psi, -d.omega * (t[0] + t[1] / Ball(2)))};
 }
 
 template struct LinearEliminant<TwoSticks>;

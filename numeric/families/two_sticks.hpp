@@ -26,11 +26,8 @@
 namespace stickslip::numeric::families {
 
 template <class S>
-struct TwoSticksData {
-  model::Parameters<S> a;
-  model::Modes<S> m;
+struct TwoSticksData : model::ReducedData<S> {  // Theta is how long the motion lasts, n periods
   S ur;
-  S total;                  // n Theta
   std::array<int, 2> sign;  // of the friction on the two phases: 1 for a slip, -1 for an overshoot
 };
 
@@ -41,8 +38,8 @@ struct TwoSticks : Sizes<3, 6, false> {
 
   // t, T1, t'; and the unknowns where they last so long.
   [[nodiscard]] zeros::Box<3> durations(const zeros::Box<3>& x) const {
-    const Ball sum = exact.total * x(0);
-    return {sum * x(1), sum * (Ball(1) - x(1)), (exact.total - sum) * x(2)};
+    const Ball sum = exact.Theta * x(0);
+    return {sum * x(1), sum * (Ball(1) - x(1)), (exact.Theta - sum) * x(2)};
   }
   [[nodiscard]] static zeros::Box<3> shares(const zeros::Box<3>& t, const Ball& total) {
     const Ball sum = t(0) + t(1);

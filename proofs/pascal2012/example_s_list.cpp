@@ -159,12 +159,10 @@ class OrbitAtData {
       : e_(e),
         frequencies_(frequencies),
         h_((Term(Theta_) - e.tau) / 2),
-        data_{chi_,
-              model::modes_of<Symbolic>(chi_, e.omega1, e.omega2),
-              Term(printed().data.V),
-              omega_,
-              Term(printed().data.p),
-              Theta_,
+        data_{{{chi_, Term(printed().data.eta), Term(printed().data.us), Term(printed().data.V), omega_,
+                Term(printed().data.p)},
+               model::modes_of<Symbolic>(chi_, e.omega1, e.omega2),
+               Theta_},
               e.sigma},
         known_(in_letters(halves)) {}
 
@@ -194,8 +192,7 @@ class OrbitAtData {
     const Theorem breaks = Theorem::assume(equal(Term(Rational(a.chi * a.eta)) * (z20_ - z10_),
                                                  a.p * cos_phi + Term(a.eta) * (ur - Term(a.us))));
     const Symbolic of_reduced =
-        model::friction_at<Symbolic>({chi_, Term(a.eta), Term(a.us), data_.V, omega_, data_.p},
-                                     model::symmetric_start<Symbolic>(data_, e_.tau, amplitude()),
+        model::friction_at<Symbolic>(data_, model::symmetric_start<Symbolic>(data_, e_.tau, amplitude()),
                                      model::symmetric_phase<Symbolic>(data_, kernel::pi(), e_.tau));
     const Term lever = chi_ * (1 - chi_) / 2;
     return combination(equal(of_reduced.term, ur),

@@ -142,8 +142,13 @@ Vector4 reversed(const Vector4& Z) {
   return model::reversal<Symbolic>() * Z;
 }
 
+model::ReducedData<Symbolic> reduced_data() {
+  return {{symbol("chi"), symbol("eta"), symbol("us"), symbol("V"), symbol("omega"), symbol("p")},
+          modes(),
+          period()};
+}
 model::SymmetricData<Symbolic> symmetric_data(int sigma) {
-  return {symbol("chi"), modes(), symbol("V"), symbol("omega"), symbol("p"), period(), Symbolic(sigma)};
+  return {reduced_data(), Symbolic(sigma)};
 }
 
 // (13) at the state that (tau, C) stands for.
@@ -283,18 +288,13 @@ std::vector<Equal> one_response(Flows& flows) {
 
 // (18) and (20) against the rows odd, even and turn in (a, C, D, psi).
 
-model::OvershootingData<Symbolic> overshooting_data() {
-  return {symbol("chi"), symbol("eta"),   modes(),     symbol("us"),
-          symbol("V"),   symbol("omega"), symbol("p"), period()};
-}
-
 Symbolic row_value(const model::OvershootingRow<Symbolic>& r) {
   return r.a * symbol("a") + r.C * symbol("C") + r.D * symbol("D") + r.cos_psi * cos(symbol("psi")) +
          r.sin_psi * sin(symbol("psi")) + r.one;
 }
 
 struct Overshooting {
-  model::OvershootingData<Symbolic> data = overshooting_data();
+  model::ReducedData<Symbolic> data = reduced_data();
   Symbolic tau = symbol("tau");
   Symbolic tau1 = symbol("tau1");
   Symbolic T = period() - tau - tau1;

@@ -17,9 +17,7 @@ namespace {
 
 model::SymmetricData<Symbolic> data_of(const SymmetricEquations& e) {
   const model::Parameters<Symbolic> a = Printed<Symbolic>{e.example}.data();
-  return {a.chi,  model::modes_of<Symbolic>(a.chi, e.omega1, e.omega2),
-          a.V,    a.omega,
-          a.p,    Symbolic(2) * Symbolic(pi()) / a.omega,
+  return {{a, model::modes_of<Symbolic>(a.chi, e.omega1, e.omega2), Symbolic(2) * Symbolic(pi()) / a.omega},
           e.sigma};
 }
 

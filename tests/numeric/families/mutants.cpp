@@ -55,8 +55,7 @@ struct FlippedSymmetric {
 
   template <class T>
   [[nodiscard]] Eigen::Matrix<T, 1, 1> operator()(const Eigen::Matrix<T, 1, 1>& u) const {
-    const model::SymmetricData<T> d{T(data.chi), model::lift<T>(data.m), T(data.V),    T(data.omega),
-                                    T(data.p),   T(data.Theta),          T(data.sigma)};
+    const model::SymmetricData<T> d{model::lift<T>(data), T(data.sigma)};
     model::SymmetricRows<T> rows = model::symmetric_rows<T>(d, T(d.Theta * u(0)));
     T& coefficient = left ? rows.left(row) : rows.right(row);
     coefficient = -coefficient;
@@ -72,7 +71,7 @@ void check_system(const Closing& f, const Given<Ball>& given, const Motion& moti
 // The same of Section 5, at the load's phase phi: the rows of (a, C, D, 1), of which one coefficient's sign
 // may be flipped, eliminated as the search does.
 struct OvershootingRows {
-  model::OvershootingData<Ball> data;
+  model::ReducedData<Ball> data;
   Ball phi;
   Eigen::Matrix<Ball, 5, 5> combinations = Eigen::Matrix<Ball, 5, 5>::Identity();
   int row = -1, column = -1;

@@ -55,7 +55,7 @@ void check_list(const OrbitList& list, const char * tiny) {
 
 // The same equations by determinants, without the search's way of eliminating: over double.
 struct ByDeterminants {
-  model::OvershootingData<double> data;
+  model::ReducedData<double> data;
   double phi;
 
   template <class T>

@@ -86,11 +86,10 @@ TEST_CASE("two sticks: no box around a closed motion loses it") {
       CAPTURE(to_string(q.data));
       const FlowClosing f(q, {PhaseKind::slip, PhaseKind::stick, second, PhaseKind::stick});
       const model::Parameters<Ball> a = parameters_as<Ball>(q.data);
-      const families::TwoSticks problem({a,
-                                         model::modes<Ball>(a.chi, a.eta),
-                                         Ball(q.ur),
-                                         Ball(2) * Ball::pi() / a.omega,
-                                         {1, second == PhaseKind::slip ? 1 : -1}});
+      const families::TwoSticks problem(
+          {{a, model::modes<Ball>(a.chi, a.eta), Ball(2) * Ball::pi() / a.omega},
+           Ball(q.ur),
+           {1, second == PhaseKind::slip ? 1 : -1}});
       const Counts found = check_boxes(problem, f, generator);
       all.orbits += found.orbits;
       all.decided += found.decided;
