@@ -6,9 +6,9 @@
 #include "cli/answer.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine_answers.hpp"
+#include "cli/sample_lines.hpp"
 #include "report/machines/rows.hpp"
 #include "report/orbits/record_json.hpp"
-#include "report/tools/files.hpp"
 
 namespace stickslip::cli {
 
@@ -146,26 +146,20 @@ std::optional<ExitCode> run_in_tables(const SimulateOptions& o) {
   if (o.set) {
     return run_set(*given, o);
   }
-  require_outputs(o);
-  std::optional<report::tools::PendingFile> file;
-  if (o.csv) {
-    file.emplace(*o.csv);
-  }
-  if (file) {
-    file->append(
-        report::orbits::csv_names(report::machines::coordinates_of({given->machine, given->origin.in_SI})));
-  }
-  const auto take = [&](const SampleOfMachine& sample) { file->append(report::orbits::csv_line(sample)); };
+  require_places(o);
+  SampleLines lines(
+      o, report::orbits::csv_names(report::machines::coordinates_of({given->machine, given->origin.in_SI})));
+  const auto take = [&](const SampleOfMachine& sample) { lines.add(report::orbits::csv_line(sample)); };
   const report::machines::Motion result = worked_out("simulating ...", [&] {
     return answer(
         *given, o, [](double) { return !interrupted(); },
-        file ? std::function<void(const SampleOfMachine&)>(take) : nullptr);
+        lines.wanted() ? std::function<void(const SampleOfMachine&)>(take) : nullptr);
   });
-  if (file) {
-    file->complete();
-    file->take_place();
+  lines.complete();
+  lines.take_place();
+  if (!are_for_output(o)) {
+    print_result(result, {}, o.json);
   }
-  print_result(result, {}, o.json);
   return exit_of(result.record.interrupted, true);
 }
 

@@ -9,6 +9,7 @@
 #include "cli/asked.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine_answers.hpp"
+#include "cli/sample_lines.hpp"
 #include "core/interruption.hpp"
 #include "numeric/simulation/record.hpp"
 #include "numeric/simulation/simulation.hpp"
@@ -29,88 +30,40 @@ namespace {
 // What becomes of the samples while the motion is followed.
 class Samples {
  public:
-  // Throws InputOutputError where they cannot go.
-  Samples(const SimulateOptions& options, double period, const Units& units) : units_(units) {
+  Samples(const SimulateOptions& options, double period, const Units& units)
+      : units_(units), lines_(options, report::orbits::csv_names(report::orbits::coordinates_in(units))) {
     if (options.plot) {
       picture_.emplace(units.time(period));
     }
-    to_output_ = options.csv == standard_output;
-    if (options.csv && !to_output_) {
-      file_.emplace(*options.csv);
-    }
-    if (options.csv) {
-      write(report::orbits::csv_names(report::orbits::coordinates_in(units)));
-    }
   }
 
-  [[nodiscard]] bool wanted() const { return picture_ || file_ || to_output_; }
+  [[nodiscard]] bool wanted() const { return picture_ || lines_.wanted(); }
 
   void add(const Sample& in_data) {
     const Sample sample = units_.sample(in_data);
     if (picture_) {
       picture_->add(sample);
     }
-    if (file_ || to_output_) {
-      write(report::orbits::csv_line(sample));
+    if (lines_.wanted()) {
+      lines_.add(report::orbits::csv_line(sample));
     }
   }
 
   void write_rest(const Record& record, const SimulateOptions& options) {
-    if (to_output_) {
-      print(output_);
-    }
-    if (file_) {
-      file_->complete();
-    }
+    lines_.complete();
     if (picture_) {
       report::tools::write_plot(
           *options.plot, report::orbits::plot_script(units_.record(record), *picture_,
                                                      report::tools::plot_format(*options.plot), units_));
     }
-    if (file_) {
-      file_->take_place();
-    }
+    lines_.take_place();
   }
-
-  static constexpr std::string_view standard_output = "-";
 
  private:
-  void write(std::string_view text) {
-    if (file_) {
-      file_->append(text);
-      return;
-    }
-    output_ += text;
-    if (output_.size() >= chunk) {
-      print(output_);
-      output_.clear();
-    }
-  }
-
-  static constexpr std::size_t chunk = 1 << 16;
-
   Units units_;
+  SampleLines lines_;
   std::optional<PictureSamples> picture_;
-  std::optional<report::tools::PendingFile> file_;
-  std::string output_;
-  bool to_output_ = false;
 };
-
-void require_places(const SimulateOptions& options) {
-  if (options.csv == Samples::standard_output) {
-    if (options.json) {
-      throw UsageError("--csv - and --json do not go together: both are for standard output");
-    }
-    SimulateOptions others = options;
-    others.csv.reset();
-    require_outputs(others);
-    return;
-  }
-  if (options.csv == "") {
-    throw UsageError("csv: '' is not the name of a file");
-  }
-  require_outputs(options);
-}
 
 // The same motion of a machine in tables.
 SimulateOptions as_typed(const MotionAsked& asked, const SimulateOptions& o, const Units& units) {
@@ -165,7 +118,7 @@ ExitCode run(const SimulateOptions& options, const Examples& examples) {
     return run_set(as_tables(asked.from.machine, file, units, "--set"), as_typed(asked, options, units));
   }
   Simulated simulated = simulate(asked, options, units);
-  if (options.csv == Samples::standard_output) {
+  if (are_for_output(options)) {
     return exit_of(simulated.record.interrupted, true);
   }
   {

@@ -271,14 +271,18 @@ Theorem Derivation::premise(const Premise& premise, std::size_t which) {
   }
   uses_.insert(premise.id);
   const Record& record = prover_.prove(premise.id);
+  std::vector<Assumption> supposed = record.claim.assumptions;  // of it, and of what it is supplied with
   for (const auto& [assumption, claim] : premise.supplied) {
-    if (std::ranges::find(record.claim.assumptions, assumption, &Assumption::id) ==
-        record.claim.assumptions.end()) {
-      throw KernelError(fmt::format("{} does not assume {}", premise.id, assumption));
-    }
+    const Record& supply = prover_.prove(claim);
     uses_.insert(claim);
-    for (const Theorem& theorem : final_outcome(prover_.prove(claim)).theorems) {
+    supposed.insert(supposed.end(), supply.claim.assumptions.begin(), supply.claim.assumptions.end());
+    for (const Theorem& theorem : final_outcome(supply).theorems) {
       supplied_.push_back(theorem);
+    }
+  }
+  for (const auto& [assumption, claim] : premise.supplied) {
+    if (std::ranges::find(supposed, assumption, &Assumption::id) == supposed.end()) {
+      throw KernelError(fmt::format("neither {} nor what is given to it assumes {}", premise.id, assumption));
     }
   }
   const std::vector<symbols::Statement>& form = proved_form(record);

@@ -388,6 +388,15 @@ TEST_CASE("commands about a machine in tables: orbits, a branch, a motion, pages
       run({"simulate", "--state=" + state, "--phi=" + orbit.at("theta").at("mid").get<std::string>(),
            "--periods", "2", "--csv", table, "--json"});
   CHECK(motion.code == exit_decided);
+  const Words again{"simulate",
+                    "--state=" + state,
+                    "--phi=" + orbit.at("theta").at("mid").get<std::string>(),
+                    "--periods",
+                    "2",
+                    "--csv",
+                    "-"};
+  CHECK(run(again).out == content(table));
+  CHECK(run(with(again, {"--json"})).code == exit_usage);
   const Json end = Json::parse(motion.out);
   for (std::size_t k = 0; k < 4; ++k) {
     CHECK(end.at("end").at("state").at(k).get<double>() ==
