@@ -151,9 +151,11 @@ Term in_powers(const Term& term) {
 }
 
 class Search {
+  static constexpr int deepest = 4;
+
  public:
   // The inequality by its gap's numerator, and the sign of its denominator.
-  Theorem decided(const Formula& goal, const Theorems& known, int depth = 4) {
+  Theorem decided(const Formula& goal, const Theorems& known, int depth = deepest) {
     const bool strictly = goal.kind() == Kind::less;
     const Term gap = in_powers(gap_of(goal));
     const Letters letters({gap});
@@ -401,7 +403,43 @@ class Search {
         }
       }
     }
+    for (const Variable& x : depth == deepest ? f.variables() : Variables()) {
+      if (const auto theorem = attempt([&] { return between_ends(x, f, strictly, known, depth); })) {
+        return *theorem;
+      }
+    }
     throw KernelError("there is no end from which it grows");
+  }
+
+  // 0 < f(x) or 0 ≤ f(x), from ends on both sides: where f does not fall at x it has grown from the lower,
+  // else it falls on to the upper, as it does where its slope falls.
+  Theorem between_ends(const Variable& x, const Term& f, bool strictly, const Theorems& known, int depth) {
+    const auto end = [&](std::size_t side) {
+      const auto found = std::ranges::find_if(known, [&](const Theorem& one) {
+        const std::vector<Term>& sides = one.conclusion().parts();
+        return is_inequality(one.conclusion()) && sides[side] == Term(x) &&
+               !sides[1 - side].variables().contains(x);
+      });
+      return found != known.end() && is_bent_along(f, x) ? *found : throw KernelError("it has no such end");
+    };
+    const auto rate = [&](const Term& of) {
+      const Variable t = fresh(real_number, {of, x});
+      return Theorem::differentiate(lambda(t, substitute(of, {{x, t}})), x).conclusion().parts()[2];
+    };
+    const Term slope = rate(f);
+    if (seems_negative(-rate(slope), known)) {
+      throw KernelError("it does not bend down");
+    }
+    const auto from = [&](const Theorem& bound, const Formula& turn) {
+      Theorems more = known;
+      more.push_back(Theorem::assume(turn));
+      Search longer;  // for there is much to be found
+      longer.work_ *= 4;
+      return Theorem::discharge(longer.from_end(x, f, bound, strictly, more, depth - 1), turn);
+    };
+    return Theorem::consequence(
+        {from(end(1), at_most(0, slope)), from(end(0), at_most(slope, 0)), Theorem::trichotomy(0, slope)},
+        is_positive(f, strictly));
   }
 
   // 0 < f(x) or 0 ≤ f(x), from x between that bound and where it is known: it is so at that end, and f grows

@@ -288,9 +288,8 @@ void write_audit(Object& json, const Written& all) {
                "Wrong statements made on purpose by single edits, put to the claims' own proofs; null where "
                "that was not asked for. Refuted: fails where all that the claim rests on holds; unproved: "
                "the proof does not go through; meaningless: does not evaluate; true_too: proved, and has the "
-               "normal form of what "
-               "is printed or holds at the points tried; survived: proved, and nothing else says that it is "
-               "true. Twins are the same statements written another way.");
+               "normal form of what is printed or holds at the points tried; survived: proved, and nothing "
+               "else says that it is true. Twins are the same statements written another way.");
   json.has("interrupted", std::optional<bool>(),
            with({{"const", true}}, "The audit was ended before all claims were examined; absent otherwise."));
 }

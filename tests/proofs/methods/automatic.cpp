@@ -405,6 +405,21 @@ TEST_CASE("nothing follows from what nothing obeys") {
   CHECK(truth_of("1/x = 2", {"x = 0"}, {"x"}) != Truth::proved);
 }
 
+TEST_CASE("what bends down lies above what it is at both ends") {
+  CHECK(truth_of("sin(t) > 2 t/pi", {"0 < t < pi/2"}) == Truth::proved);
+  CHECK(truth_of("sin(t) >= 2 t/pi", {"0 <= t <= pi/2"}) == Truth::proved);
+  CHECK(truth_of("cos(t) > 1 - 2 t/pi", {"0 < t < pi/2"}) == Truth::proved);
+  CHECK(truth_of("exp(x) < 1 + 2 x", {"0 < x < 1"}, {"x"}) == Truth::proved);
+  CHECK(truth_of("sin(t) > 2 t/pi", {"0 < t < 2"}) == Truth::refuted);
+  CHECK(truth_of("sin(t) < 2 t/pi", {"0 < t < pi/2"}) == Truth::refuted);
+  CHECK(truth_of("exp(x) < 1 + 17 x/10", {"0 < x < 1"}, {"x"}) != Truth::proved);  // false beside 1
+  CHECK(truth_of("sin(pi x) >= 2 x", {"0 <= x <= 1/2"}, {"x"}) == Truth::proved);
+  CHECK(truth_of("1 - exp(-x) > x/2", {"0 < x < 1"}, {"x"}) == Truth::proved);
+  // Bent up between such ends.
+  CHECK(truth_of("t^2 > t", {"0 < t < 1"}) == Truth::refuted);
+  CHECK(truth_of("exp(x) > 1 + 2 x", {"0 < x < 1"}, {"x"}) == Truth::refuted);
+}
+
 TEST_CASE("a root of what is 0 up to rounding has its digits in the witness") {
   CHECK(truth_of("sqrt(sin(pi) - x^2) = 1", {}, {"x"}) == Truth::refuted);
   CHECK(reason_of({"sqrt(sin(pi) - x^2) = 1", {}, {"x"}}).find("nan") == std::string::npos);
@@ -412,7 +427,7 @@ TEST_CASE("a root of what is 0 up to rounding has its digits in the witness") {
 }
 
 TEST_CASE("what is not decided says why") {
-  CHECK(truth_of("sin(t) > 2 t/pi", {"0 < t < pi/2"}) == Truth::undecided);
+  CHECK(truth_of("x^2 exp(-x) <= 1", {"x >= 0"}, {"x"}) == Truth::undecided);
   CHECK(reason_of({"d/dt[1/t] = -1/t^2"}) == "a derivative is one at all times, and here it divides by t");
   for (const char * line :
        {"1/(chi - chi) >= 0", "chi/0 > 1", "1/0 != 0", "(omega - omega)^-1 < 1", "0/0 <= 1"}) {
