@@ -160,6 +160,19 @@ TEST_CASE("a linear chain solves its equations, and its return map has the eigen
   }
 }
 
+TEST_CASE("a linear chain of uncertain links has the deviations of all of them") {
+  Link link;
+  link.M = InData<Matrix>(Matrix::Constant(1, 1, Ball::from_interval(Rational(3, 8), Rational(5, 8))));
+  const auto found = LinearChain::of({link});
+  REQUIRE(found);
+  const Ball deviation = found->deviations({Node::Constant(1, Ball(1))})[0](0);
+  for (const Rational& M : {Rational(3, 8), Rational(1, 2), Rational(5, 8)}) {  // d = M d + 1
+    CHECK(deviation.contains(Rational(1 / (1 - M))));
+  }
+  link.M.c[0](0, 0) = Ball::from_interval(Rational(1, 2), Rational(1));
+  CHECK_FALSE(LinearChain::of({link}));
+}
+
 TEST_CASE("a linear chain with the multiplier 1 is not solved") {
   std::vector<Link> links(3);
   for (Link& link : links) {
