@@ -42,17 +42,19 @@ int digits_for(const Ball& one, const Ball& other) {
 }  // namespace
 
 Verdict Verdict::refuted(Witness witness) {
-  const int digits = digits_for(witness.left, witness.right);
+  const auto said = [digits = digits_for(witness.left, witness.right)](const Ball& side) {
+    return side.is_finite() ? to_string(side, digits) : "a number that balls do not enclose";
+  };
   std::vector<std::string> point;
   for (const Coordinate& coordinate : witness.point) {
     point.push_back(fmt::format("${} = {}$", coordinate.name, to_string(coordinate.value)));
   }
   point.insert(point.end(), witness.values.begin(), witness.values.end());
-  std::string reason = fmt::format(
-      "{}{} is {} and {} is {}{}",
-      witness.component.empty() ? "" : fmt::format("entry {}: ", witness.component), witness.left_name,
-      to_string(witness.left, digits), witness.right_name, to_string(witness.right, digits),
-      point.empty() ? "" : fmt::format(" at {}", fmt::join(point, ", ")));
+  std::string reason =
+      fmt::format("{}{} is {} and {} is {}{}",
+                  witness.component.empty() ? "" : fmt::format("entry {}: ", witness.component),
+                  witness.left_name, said(witness.left), witness.right_name, said(witness.right),
+                  point.empty() ? "" : fmt::format(" at {}", fmt::join(point, ", ")));
   return {Truth::refuted, std::move(reason), std::move(witness)};
 }
 

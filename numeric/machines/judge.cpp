@@ -279,16 +279,16 @@ motion::DerivativeBounds Watched::bounds(std::size_t derivative) const {
   double third = 0, fourth = 0;
   for (std::size_t k = 0; k < count_; ++k) {
     const Stretch& here = stretch(k);
-    double power = 1;  // length^(m - lowest)
+    Ball power(1);  // length^(m - lowest), which may be no double
     double of_third = here.rest[lowest], of_fourth = here.rest[lowest + 1];
     for (std::size_t m = lowest; m < static_cast<std::size_t>(here.most.size()); ++m) {
-      double size = here.most(static_cast<Eigen::Index>(m)) * power;
+      double size = most(Ball(here.most(static_cast<Eigen::Index>(m))) * power);
       for (std::size_t i = 0; i < lowest; ++i) {
         size *= static_cast<double>(m - i);
       }
       of_third += size;
       of_fourth += size * static_cast<double>(m - lowest) / here.length;
-      power *= here.length;
+      power *= Ball(here.length);
     }
     if (!std::isfinite(of_third) || !std::isfinite(of_fourth)) {
       return unknown;

@@ -74,15 +74,10 @@ S absolute_value(const S& value) {
   }
 }
 
-// NaN below 0; of a ball around 0, the roots of those in it that are not below. What changes with time has no
-// root here: nothing asks for its rate.
+// NaN of what may be below 0: what is said of a root says nothing where it is none. What changes with time
+// has no root here: nothing asks for its rate.
 template <class S>
 S square_root(const S& value) {
-  if constexpr (requires { value.contains_zero(); }) {
-    if (value.contains_zero()) {
-      return S::hull(S(0), sqrt(value.upper()));
-    }
-  }
   if constexpr (requires { S(sqrt(value)); }) {
     return S(sqrt(value));
   } else if constexpr (requires { value.size(), square_root(value[0]); }) {
