@@ -8,7 +8,7 @@
 
 #include "numeric/families/family.hpp"
 #include "numeric/orbits.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 
 namespace stickslip::bench {
 

@@ -8,7 +8,7 @@
 #include "numeric/simulation/agreement.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "proofs/methods/motions.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 
 namespace stickslip::bench {
 

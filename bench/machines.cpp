@@ -2,9 +2,9 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/machines.hpp"
-#include "numeric/machines/machine_attractors.hpp"
-#include "numeric/machines/motions_over_data.hpp"
-#include "numeric/machines/settle.hpp"
+#include "numeric/machines/attractors/machine_attractors.hpp"
+#include "numeric/machines/attractors/settle.hpp"
+#include "numeric/machines/orbits/motions_over_data.hpp"
 
 namespace stickslip::bench {
 

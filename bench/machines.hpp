@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bench/examples.hpp"
-#include "cli/machine_tables.hpp"
+#include "cli/answers/machine_tables.hpp"
 #include "report/tools/files.hpp"
 
 namespace stickslip::bench {

@@ -3,9 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/machines.hpp"
-#include "numeric/machines/neighbourhood.hpp"
-#include "numeric/machines/set_after.hpp"
-#include "numeric/machines/settle.hpp"
+#include "numeric/machines/attractors/settle.hpp"
+#include "numeric/machines/basins/neighbourhood.hpp"
+#include "numeric/machines/basins/set_after.hpp"
 
 namespace stickslip::bench {
 

@@ -10,7 +10,7 @@
 #include "bench/cvode_peer.hpp"
 #include "bench/machines.hpp"
 #include "bench/odeint_peer.hpp"
-#include "numeric/machines/settle.hpp"
+#include "numeric/machines/attractors/settle.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "proofs/methods/motions.hpp"

@@ -3,7 +3,7 @@
 
 #include "bench/examples.hpp"
 #include "numeric/attractors/attractors.hpp"
-#include "numeric/machines/chain_proof.hpp"
+#include "numeric/machines/orbits/chain_proof.hpp"
 #include "numeric/words/complete_list.hpp"
 
 namespace stickslip::bench {

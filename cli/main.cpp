@@ -10,13 +10,13 @@
 #include <string_view>
 #include <system_error>
 
-#include "cli/cluster.hpp"
-#include "cli/commands.hpp"
-#include "cli/machine_file.hpp"
-#include "cli/output.hpp"
+#include "cli/answers/machine_file.hpp"
+#include "cli/commands/cluster.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/commands/output.hpp"
 #include "numeric/families/family.hpp"
 #include "numeric/orbits.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 #include "proofs/pascal2012/paper.hpp"
 #include "proofs/symbols/parse.hpp"
 #include "proofs/text/claims_file.hpp"

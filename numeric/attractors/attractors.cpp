@@ -7,7 +7,7 @@
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
-#include "numeric/machines/neighbourhood.hpp"
+#include "numeric/machines/basins/neighbourhood.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "numeric/words/pure.hpp"
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "numeric/attractors/many_starts.hpp"
-#include "numeric/machines/machine_orbit.hpp"
+#include "numeric/machines/orbits/machine_orbit.hpp"
 #include "numeric/simulation/simulation.hpp"
 
 namespace stickslip::numeric::attractors {

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "numeric/attractors/settle.hpp"
-#include "numeric/machines/neighbourhood.hpp"
+#include "numeric/machines/basins/neighbourhood.hpp"
 
 namespace stickslip::numeric::attractors {
 

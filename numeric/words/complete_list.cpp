@@ -9,7 +9,7 @@
 #include "numeric/families/isolate.hpp"
 #include "numeric/families/nonsticking.hpp"
 #include "numeric/families/through_phases.hpp"
-#include "numeric/machines/machine_orbit.hpp"
+#include "numeric/machines/orbits/machine_orbit.hpp"
 
 namespace stickslip::numeric::words {
 

@@ -7,7 +7,7 @@
 
 #include "core/domain.hpp"
 #include "numeric/families/family.hpp"
-#include "numeric/machines/machine_orbit.hpp"
+#include "numeric/machines/orbits/machine_orbit.hpp"
 
 namespace stickslip::numeric::words {
 

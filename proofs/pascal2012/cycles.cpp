@@ -12,7 +12,7 @@
 #include "proofs/methods/prover.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/examples/example_orbit.hpp"
 #include "proofs/pascal2012/met_by_orbits.hpp"
 #include "proofs/pascal2012/paper.hpp"
 

@@ -9,7 +9,7 @@
 #include "proofs/methods/reading.hpp"
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/examples/example_orbit.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/tactics.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/refutation.hpp"
-#include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/examples/example_orbit.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {

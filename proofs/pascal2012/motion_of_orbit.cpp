@@ -12,7 +12,7 @@
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
-#include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/examples/example_orbit.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {

@@ -1,7 +1,7 @@
 #include "proofs/pascal2012/paper.hpp"
 
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 #include "proofs/pascal2012/met_by_orbits.hpp"
 #include "proofs/pascal2012/source.hpp"
 #include "proofs/text/claims_file.hpp"

@@ -8,7 +8,7 @@
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/examples/example_orbit.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 #include "proofs/tactics/closed.hpp"
 

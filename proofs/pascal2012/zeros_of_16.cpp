@@ -9,7 +9,7 @@
 #include "proofs/orbits/all_zeros.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
 #include "proofs/pascal2012/claims.hpp"
-#include "proofs/pascal2012/symmetric_list.hpp"
+#include "proofs/pascal2012/examples/symmetric_list.hpp"
 #include "proofs/symbols/vocabulary.hpp"
 
 namespace stickslip::proofs::pascal2012 {

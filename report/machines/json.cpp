@@ -2,7 +2,7 @@
 #include "numeric/words/word.hpp"
 #include "report/machines/results.hpp"
 #include "report/machines/rows.hpp"
-#include "report/orbits/neighbourhood.hpp"
+#include "report/orbits/attractors/neighbourhood.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/orbits/record_json.hpp"
 

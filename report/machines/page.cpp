@@ -9,7 +9,7 @@
 #include "core/decimal.hpp"
 #include "report/machines/results.hpp"
 #include "report/machines/rows.hpp"
-#include "report/orbits/branches.hpp"
+#include "report/orbits/branches/branches.hpp"
 #include "report/orbits/page.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "numeric/machines/machine_attractors.hpp"
-#include "numeric/machines/machine_branch.hpp"
-#include "numeric/machines/motions_over_data.hpp"
-#include "numeric/machines/planar_basin.hpp"
-#include "numeric/machines/set_after.hpp"
-#include "numeric/machines/steady_sliding.hpp"
+#include "numeric/machines/attractors/machine_attractors.hpp"
+#include "numeric/machines/attractors/steady_sliding.hpp"
+#include "numeric/machines/basins/planar_basin.hpp"
+#include "numeric/machines/basins/set_after.hpp"
+#include "numeric/machines/orbits/machine_branch.hpp"
+#include "numeric/machines/orbits/motions_over_data.hpp"
 #include "numeric/simulation/record.hpp"
-#include "report/orbits/many_starts.hpp"
+#include "report/orbits/attractors/many_starts.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/plot.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "report/machines/results.hpp"
-#include "report/orbits/branches.hpp"
-#include "report/orbits/neighbourhood.hpp"
+#include "report/orbits/attractors/neighbourhood.hpp"
+#include "report/orbits/branches/branches.hpp"
 
 namespace stickslip::report::machines {
 

@@ -9,7 +9,7 @@
 #include "core/names.hpp"
 #include "model/named_data.hpp"
 #include "numeric/families/family.hpp"
-#include "report/orbits/many_starts.hpp"
+#include "report/orbits/attractors/many_starts.hpp"
 #include "report/tools/numbers.hpp"
 #include "symbolic/typeset/names.hpp"
 

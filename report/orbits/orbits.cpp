@@ -7,8 +7,8 @@
 
 #include "numeric/families/family.hpp"
 #include "numeric/motion/stability.hpp"
-#include "report/orbits/attractors.hpp"
-#include "report/orbits/neighbourhood.hpp"
+#include "report/orbits/attractors/attractors.hpp"
+#include "report/orbits/attractors/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/tools/numbers.hpp"

@@ -1,6 +1,6 @@
 #include "numeric/families/family.hpp"
 #include "numeric/motion/stability.hpp"
-#include "report/orbits/neighbourhood.hpp"
+#include "report/orbits/attractors/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/parts.hpp"

@@ -7,8 +7,8 @@
 #include <cctype>
 
 #include "numeric/families/family.hpp"
+#include "report/orbits/attractors/portraits.hpp"
 #include "report/orbits/orbit_words.hpp"
-#include "report/orbits/portraits.hpp"
 #include "report/tools/numbers.hpp"
 #include "report/tools/prose.hpp"
 #include "report/tools/templates.hpp"

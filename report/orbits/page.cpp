@@ -7,7 +7,7 @@
 
 #include "core/parallel.hpp"
 #include "numeric/families/family.hpp"
-#include "report/orbits/neighbourhood.hpp"
+#include "report/orbits/attractors/neighbourhood.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/orbits.hpp"
 #include "report/orbits/parts.hpp"

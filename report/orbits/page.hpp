@@ -13,9 +13,9 @@
 
 #include "numeric/attractors/many_starts.hpp"
 #include "numeric/orbits.hpp"
+#include "report/orbits/attractors/portraits.hpp"
 #include "report/orbits/machine.hpp"
 #include "report/orbits/orbits.hpp"
-#include "report/orbits/portraits.hpp"
 #include "report/tools/files.hpp"
 #include "report/tools/json.hpp"
 #include "report/tools/layout.hpp"

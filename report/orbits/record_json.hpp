@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "numeric/simulation/record.hpp"
-#include "report/orbits/neighbourhood.hpp"
+#include "report/orbits/attractors/neighbourhood.hpp"
 #include "report/tools/layout.hpp"
 #include "report/tools/schema.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "model/named_data.hpp"
-#include "report/orbits/attractors.hpp"
+#include "report/orbits/attractors/attractors.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/orbits/parts.hpp"
 #include "report/orbits/record_json.hpp"

@@ -11,7 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/machine_tables.hpp"
+#include "cli/answers/machine_tables.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "report/tools/files.hpp"

@@ -1,7 +1,7 @@
 // What the program says to arguments it does not understand, and to those it does.
 #include <doctest/doctest.h>
 
-#include "cli/typed_parameters.hpp"
+#include "cli/arguments/typed_parameters.hpp"
 #include "core/error.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/report/temporary.hpp"

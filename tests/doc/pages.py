@@ -77,7 +77,7 @@ def folded(text):
 
 def stands_nowhere(kind, block):
     everything = [folded(source.read_text()) for pattern in (
-        "examples/**/*.cpp", "examples/**/CMakeLists.txt", "proofs/pascal2012/*.cpp") for source in root.glob(pattern)]
+        "examples/**/*.cpp", "examples/**/CMakeLists.txt", "proofs/pascal2012/**/*.cpp") for source in root.glob(pattern)]
     pieces = re.findall(r"find_package\([^)]*|stickslip::\w+", block) if kind == "cmake" else [block]
     return [piece for piece in pieces if not any(folded(piece) in text for text in everything)]
 

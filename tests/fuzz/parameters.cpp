@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "cli/typed_parameters.hpp"
+#include "cli/arguments/typed_parameters.hpp"
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 

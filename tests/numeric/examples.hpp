@@ -9,7 +9,7 @@
 #include "numeric/families/overshooting.hpp"
 #include "numeric/families/symmetric.hpp"
 #include "numeric/orbits.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 
 namespace stickslip::examples {
 

@@ -10,7 +10,7 @@
 #include "core/parallel.hpp"
 #include "numeric/attractors/settle.hpp"
 #include "numeric/attractors/word_search.hpp"
-#include "numeric/machines/machine_attractors.hpp"
+#include "numeric/machines/attractors/machine_attractors.hpp"
 #include "numeric/motion/stability.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "tests/numeric/examples.hpp"

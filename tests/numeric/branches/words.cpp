@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "numeric/attractors/word_search.hpp"
 #include "numeric/branches/setting.hpp"
-#include "numeric/machines/machine_branch.hpp"
+#include "numeric/machines/orbits/machine_branch.hpp"
 #include "numeric/motion/exits.hpp"
 #include "tests/numeric/branches/questions.hpp"
 

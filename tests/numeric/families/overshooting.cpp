@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "numeric/families/one_stick_closing.hpp"
-#include "proofs/pascal2012/example_o_closing.hpp"
+#include "proofs/pascal2012/examples/example_o_closing.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
 

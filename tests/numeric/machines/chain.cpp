@@ -1,6 +1,6 @@
 // Chains of events: their conditions against motions composed by the flows, their links against differences,
 // and the linear chain against its own equations.
-#include "numeric/machines/chain_proof.hpp"
+#include "numeric/machines/orbits/chain_proof.hpp"
 
 #include <doctest/doctest.h>
 

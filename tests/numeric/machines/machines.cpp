@@ -7,11 +7,11 @@
 #include <random>
 
 #include "core/error.hpp"
-#include "numeric/machines/judge.hpp"
-#include "numeric/machines/machine_attractors.hpp"
-#include "numeric/machines/machine_branch.hpp"
-#include "numeric/machines/settle.hpp"
-#include "numeric/machines/steady_sliding.hpp"
+#include "numeric/machines/attractors/machine_attractors.hpp"
+#include "numeric/machines/attractors/settle.hpp"
+#include "numeric/machines/attractors/steady_sliding.hpp"
+#include "numeric/machines/orbits/judge.hpp"
+#include "numeric/machines/orbits/machine_branch.hpp"
 #include "numeric/words/word_orbit.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/examples.hpp"

@@ -1,6 +1,6 @@
 // Motions of all machines over a box of data: polynomials, flows, conditions and links against single
 // machines in it, the linear chain against single ones, and families of motions.
-#include "numeric/machines/motions_over_data.hpp"
+#include "numeric/machines/orbits/motions_over_data.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
-#include "numeric/machines/judge.hpp"
+#include "numeric/machines/orbits/judge.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/machines/neighbourhoods.hpp"
 

@@ -6,10 +6,10 @@
 #include <random>
 
 #include "core/error.hpp"
-#include "numeric/machines/machine_attractors.hpp"
-#include "numeric/machines/neighbourhood.hpp"
-#include "numeric/machines/set_after.hpp"
-#include "numeric/machines/settle.hpp"
+#include "numeric/machines/attractors/machine_attractors.hpp"
+#include "numeric/machines/attractors/settle.hpp"
+#include "numeric/machines/basins/neighbourhood.hpp"
+#include "numeric/machines/basins/set_after.hpp"
 #include "numeric/words/complete_list.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/machines/neighbourhoods.hpp"

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "numeric/machines/neighbourhood.hpp"
-#include "numeric/machines/settle.hpp"
+#include "numeric/machines/attractors/settle.hpp"
+#include "numeric/machines/basins/neighbourhood.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "tests/numeric/examples.hpp"
 

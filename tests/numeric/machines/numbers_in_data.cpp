@@ -1,6 +1,6 @@
 // The numbers of machines as functions of data: what they are at some of these, and what is not taken for
 // one.
-#include "numeric/machines/numbers_in_data.hpp"
+#include "numeric/machines/phases/numbers_in_data.hpp"
 
 #include <doctest/doctest.h>
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "numeric/machines/planar_basin.hpp"
-#include "numeric/machines/settle.hpp"
-#include "numeric/machines/steady_sliding.hpp"
+#include "numeric/machines/attractors/settle.hpp"
+#include "numeric/machines/attractors/steady_sliding.hpp"
+#include "numeric/machines/basins/planar_basin.hpp"
 #include "tests/numeric/machines/one_mass.hpp"
 
 using namespace stickslip;

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-#include "numeric/machines/settle.hpp"
+#include "numeric/machines/attractors/settle.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;

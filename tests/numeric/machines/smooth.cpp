@@ -11,12 +11,12 @@
 #include <random>
 
 #include "core/error.hpp"
-#include "numeric/machines/judge.hpp"
-#include "numeric/machines/motions_over_data.hpp"
-#include "numeric/machines/numbers_in_data.hpp"
-#include "numeric/machines/settle.hpp"
-#include "numeric/machines/smooth_phase.hpp"
-#include "numeric/machines/steady_sliding.hpp"
+#include "numeric/machines/attractors/settle.hpp"
+#include "numeric/machines/attractors/steady_sliding.hpp"
+#include "numeric/machines/orbits/judge.hpp"
+#include "numeric/machines/orbits/motions_over_data.hpp"
+#include "numeric/machines/phases/numbers_in_data.hpp"
+#include "numeric/machines/phases/smooth_phase.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 
 using namespace stickslip;

@@ -10,7 +10,7 @@
 #include "numeric/motion/multipliers.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "proofs/methods/motions.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;

@@ -5,7 +5,7 @@
 #include "numeric/simulation/agreement.hpp"
 #include "numeric/zeros/linear_solve.hpp"
 #include "proofs/methods/motions.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 #include "tests/numeric/simulation/response.hpp"
 
 using namespace stickslip;

@@ -1,7 +1,7 @@
 // Guesses for orbits of words: from orbits that are proved already, and from simulations.
 #pragma once
 
-#include "numeric/machines/machine_orbit.hpp"
+#include "numeric/machines/orbits/machine_orbit.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "numeric/words/word_orbit.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
-#include "numeric/machines/chain_proof.hpp"
+#include "numeric/machines/orbits/chain_proof.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"
 #include "tests/numeric/words/guesses.hpp"

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "proofs/pascal2012/example_orbit.hpp"
+#include "proofs/pascal2012/examples/example_orbit.hpp"
 #include "tests/proofs/orbits/letters.hpp"
 
 using namespace stickslip;

@@ -6,7 +6,7 @@
 
 #include "numeric/families/family.hpp"
 #include "proofs/methods/motions.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs;

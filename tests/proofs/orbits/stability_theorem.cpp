@@ -5,7 +5,7 @@
 #include "proofs/methods/motions.hpp"
 #include "proofs/orbits/definitions.hpp"
 #include "proofs/orbits/orbit_theorem.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 
 using namespace stickslip;
 using namespace stickslip::proofs;

@@ -2,9 +2,9 @@
 
 #include "proofs/methods/motions.hpp"
 #include "proofs/orbits/enclosed_matrix.hpp"
-#include "proofs/pascal2012/example_o_closing.hpp"
-#include "proofs/pascal2012/example_orbit.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/example_o_closing.hpp"
+#include "proofs/pascal2012/examples/example_orbit.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 #include "proofs/tactics/closed.hpp"
 #include "tests/proofs/checks/decided.hpp"
 

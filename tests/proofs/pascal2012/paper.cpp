@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "proofs/methods/prover.hpp"
-#include "proofs/pascal2012/symmetric_list.hpp"
+#include "proofs/pascal2012/examples/symmetric_list.hpp"
 #include "tests/proofs/checks/decided.hpp"
 
 using namespace stickslip;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "proofs/methods/motions.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 #include "report/audit/page_data.hpp"
 #include "report/audit/summary.hpp"
 #include "tests/report/audit/sample.hpp"

@@ -1,10 +1,10 @@
 // Branches as JSON: how each ends; the rows that terminal and page share.
-#include "report/orbits/branches.hpp"
+#include "report/orbits/branches/branches.hpp"
 
 #include <doctest/doctest.h>
 
 #include "proofs/methods/motions.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric::branches;

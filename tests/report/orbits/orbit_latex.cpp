@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "proofs/methods/motions.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 
 using namespace stickslip;
 using namespace stickslip::numeric;

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "proofs/methods/motions.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 #include "report/orbits/machine.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/numbers.hpp"

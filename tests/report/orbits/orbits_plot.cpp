@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "proofs/methods/motions.hpp"
-#include "proofs/pascal2012/examples.hpp"
+#include "proofs/pascal2012/examples/examples.hpp"
 #include "report/orbits/orbit_words.hpp"
 #include "report/tools/files.hpp"
 #include "tests/report/temporary.hpp"
