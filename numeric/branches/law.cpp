@@ -227,8 +227,7 @@ Part look(const Curve& curve, const Law& law, const std::vector<Cell>& cells, st
 std::optional<ParameterJet> friction_jet(const Law& law, const MotionOf<ParameterJet>& motion,
                                          const ParameterJet& value, const ParameterJet& unit) {
   if (law.ur_is_result) {
-    const PhaseOf<ParameterJet>& first = motion.phases.front();
-    return model::friction_at<ParameterJet>(motion.oscillator.data, first.Z, first.load);
+    return friction_ahead<ParameterJet>(motion, 0);
   }
   return given_friction(law, value, unit);
 }

@@ -55,13 +55,10 @@ struct Shooting {
     const model::Vector4<T> Z = motion::flow<T>(m.oscillator, last.kind, last.load, last.Z, last.duration);
     std::vector<T> f;
     for (std::size_t k = 0; k < m.phases.size(); ++k) {
-      const motion::PhaseOf<T>& next = m.phases[(k + 1) % m.phases.size()];
-      if (m.phases[k].kind != motion::PhaseKind::stick) {
-        f.push_back((&m.phases[k] == &last ? Z : next.Z)(3) - m.oscillator.data.V);
-      } else {
-        const T r = model::friction_at<T>(m.oscillator.data, next.Z, next.load);
-        f.push_back(next.kind == motion::PhaseKind::slip ? T(r - p(p.size() - 1)) : T(r + p(p.size() - 1)));
-      }
+      const std::size_t next = (k + 1) % m.phases.size();
+      f.push_back(m.phases[k].kind == motion::PhaseKind::stick
+                      ? T(motion::friction_ahead<T>(m, next) - p(p.size() - 1))
+                      : T((&m.phases[k] == &last ? Z : m.phases[next].Z)(3) - m.oscillator.data.V));
     }
     f.insert(f.end(), {T(Z(0) - Z0(0)), T(Z(1) - Z0(1)), T(Z(2) - Z0(2))});
     return Eigen::Map<zeros::VectorOf<T>>(f.data(), static_cast<Eigen::Index>(f.size()));

@@ -97,9 +97,7 @@ Requirements requirements(const Family& family, bool ur_given) {
 Ball friction_of(const Family& family, const ClosedMotion& motion) {
   Ball least = motion.friction.front();
   if (!has_stick(family)) {
-    for (std::size_t k = 0; k < motion.friction.size(); ++k) {
-      const Ball& r = motion.friction[k];
-      const Ball ahead = motion.motion.phases[k].kind == PhaseKind::slip ? r : -r;
+    for (const Ball& ahead : motion.friction) {
       arb_min(least.raw(), least.raw(), ahead.raw(), WorkingPrecision::bits());
     }
   }

@@ -102,9 +102,8 @@ struct Family {
 // Its requirements; without ur those that do not need it.
 [[nodiscard]] motion::Requirements requirements(const Family& family, bool ur_given = true);
 
-// The friction of a motion: at its beginning, where a stick ends with r = ur (12); for one that never sticks
-// the largest ur for which (25) and (26) hold, the least of |r| when a phase begins, counted positive in the
-// direction of the fall.
+// The friction of a motion: at its beginning, where a stick ends, |r| = ur (12); for one that never sticks
+// the largest ur for which (25) and (26) hold, the least friction_ahead of all phases.
 [[nodiscard]] Ball friction_of(const Family& family, const motion::ClosedMotion& motion);
 
 // Every condition on a closed motion of the family. ur may be missing for one that never sticks only; then

@@ -7,15 +7,6 @@ namespace stickslip::numeric::motion {
 
 using namespace zeros;
 
-namespace {
-
-template <class S>
-S friction_of(const MotionOf<S>& motion, std::size_t k) {
-  return model::friction_at<S>(motion.oscillator.data, motion.phases[k].Z, motion.phases[k].load);
-}
-
-}  // namespace
-
 template <class T>
 VectorOf<T> Closing::parameters(const Given<T>& given) const {
   if ((takes_phi_ && !given.phi) || (takes_ur_ && !given.ur)) {
@@ -48,7 +39,7 @@ std::vector<std::string> Closing::parameter_names() const {
 ClosedMotion taken_as_closed(const Motion& motion) {
   ClosedMotion closed{Verdict::proved(), motion, all_waves(motion), {}};
   for (std::size_t k = 0; k < motion.phases.size(); ++k) {
-    closed.friction.push_back(friction_of<Ball>(motion, k));
+    closed.friction.push_back(friction_ahead<Ball>(motion, k));
   }
   return closed;
 }
@@ -79,7 +70,7 @@ ClosedMotion closed_over(const ParametricProof& proof, const MotionOf<ParameterJ
   ClosedMotion closed{proof.verdict, zip(jets, middle), {}, {}};
   for (std::size_t k = 0; k < middle.phases.size(); ++k) {
     closed.waves.push_back(zip(waves_of<ParameterJet>(jets.oscillator, jets.phases[k]), waves(middle, k)));
-    closed.friction.push_back(over(friction_of<ParameterJet>(jets, k), friction_of<Ball>(middle, k)));
+    closed.friction.push_back(over(friction_ahead<ParameterJet>(jets, k), friction_ahead<Ball>(middle, k)));
   }
   return closed;
 }

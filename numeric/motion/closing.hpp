@@ -97,13 +97,22 @@ class Closing {
   Over<zeros::ParameterJet> jets_;
 };
 
+// r of (4) when phase k begins, -r for an overshoot: ur where a stick ends, at least ur where a slip and an
+// overshoot meet.
+template <class S>
+[[nodiscard]] S friction_ahead(const MotionOf<S>& motion, std::size_t k) {
+  const PhaseOf<S>& phase = motion.phases[k];
+  const S r = model::friction_at<S>(motion.oscillator.data, phase.Z, phase.load);
+  return phase.kind == PhaseKind::overshoot ? S(-r) : r;
+}
+
 // Whether a motion closes near a guess, and that motion.
 struct ClosedMotion {
   Verdict existence;  // "exactly one near the guess", for each member of the parameters
   // Contain the values for all members; meaningless unless proved.
   Motion motion;
   std::vector<model::PhaseWaves<Ball>> waves;  // of each phase
-  std::vector<Ball> friction;                  // at rest, r of (4), when each phase begins
+  std::vector<Ball> friction;                  // friction_ahead
 };
 
 // A motion with what is known of it from its phases; that it closes is the caller's word.
