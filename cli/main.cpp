@@ -48,17 +48,22 @@ const Paper& paper() {
 }
 
 // What is given for an orbit of the family besides the data, and what is a result.
-std::string given_and_found(const numeric::Family& family) {
-  if (!family.why_one_of_phi_ur.empty()) {
+std::string datum_and_results(const numeric::Family& family) {
+  const bool takes_phi = family.why_no_phi.empty(), takes_ur = family.why_no_ur.empty();
+  if (takes_phi && takes_ur) {
     return "exactly one of --phi and --ur is given; the other is a result.";
   }
-  const std::string phi = family.why_no_phi.empty() ? "--phi is given" : "phi is a result";
-  if (!family.why_no_ur.empty()) {
-    return phi + ", and so is ur.";
+  if (!family.why_datum.empty()) {
+    return takes_ur ? "--ur is given; phi is a result." : "--phi is given; ur is a result.";
   }
-  return phi +
-         "; without --ur the largest admissible one is, ur_max, and \"admissible\" speaks of all other "
-         "conditions.";
+  return takes_ur ? "phi is a result; without --ur the largest admissible one is, ur_max, and "
+                    "\"admissible\" speaks of all other conditions."
+                  : "phi is a result, and so is ur.";
+}
+
+std::string given_and_found(const numeric::Family& family) {
+  const char * belt = family.belt > 0 ? "V > 0; " : family.belt < 0 ? "V < 0; " : "";
+  return belt + datum_and_results(family);
 }
 
 std::string families() {

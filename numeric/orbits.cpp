@@ -84,8 +84,8 @@ void require_understood(const OrbitQuestion& q) {
   if (q.ur && !family.why_no_ur.empty()) {
     throw UsageError(family.why_no_ur);
   }
-  if (!family.why_one_of_phi_ur.empty() && q.phi.has_value() == q.ur.has_value()) {
-    throw UsageError(family.why_one_of_phi_ur);
+  if (!family.why_datum.empty() && q.phi.has_value() == q.ur.has_value()) {
+    throw UsageError(family.why_datum);
   }
   if (q.neighbourhood && asks_for_box(q)) {
     throw UsageError("a neighbourhood is proved at numbers, and a parameter is an interval");
@@ -101,8 +101,10 @@ void require_understood(const OrbitQuestion& q) {
 void require_domain(const OrbitQuestion& q) {
   require_model_domain(each(q, lower).data);
   require_model_domain(each(q, upper).data);
-  const Rational V = lower(q.parameters.V), us = upper(q.parameters.us);
-  require(!has_stick(*q.family) || V > 0, "V", V, "V > 0 for orbits with a stick phase");
+  const int belt = q.family->belt;
+  const Rational V = belt < 0 ? upper(q.parameters.V) : lower(q.parameters.V), us = upper(q.parameters.us);
+  require(belt == 0 || V * belt > 0, "V", V,
+          fmt::format("V {} 0 for {} orbits", belt < 0 ? '<' : '>', q.family->name));
   if (q.ur) {
     require(lower(*q.ur) > us, "ur", lower(*q.ur), "ur > us = " + stickslip::to_string(us));
   }

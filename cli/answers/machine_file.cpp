@@ -241,7 +241,7 @@ void leave_results_out(ParameterFile& file, const numeric::Family& family) {
   if (!family.why_no_ur.empty()) {
     leave_out(file, "ur", family.why_no_ur);
   }
-  if (family.why_one_of_phi_ur.empty()) {
+  if (family.why_datum.empty()) {
     return;
   }
   const bool by_phi = file.typed.contains("phi");

@@ -60,8 +60,8 @@ void require_data(const TypedParameters& parameters, const Family& family) {
   const bool complete = std::all_of(names.begin(), names.end(),
                                     [&](const std::string& name) { return parameters.contains(name); });
   const bool neither = !parameters.contains("phi") && !parameters.contains("ur");
-  if (!complete && neither && !family.why_one_of_phi_ur.empty()) {
-    names.emplace_back("phi or --ur");
+  if (!complete && neither && !family.why_datum.empty()) {
+    names.emplace_back(!family.why_no_phi.empty() ? "ur" : !family.why_no_ur.empty() ? "phi" : "phi or --ur");
   }
   require_given(parameters, names);
 }

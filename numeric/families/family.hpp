@@ -66,13 +66,13 @@ struct Growth {
 };
 
 struct Family {
-  std::string name;                       // on the command line
-  std::string title;                      // with its phases
-  std::vector<motion::PhaseKind> phases;  // in a period
-  std::vector<std::string> durations;     // the paper's names of how long they last
-  motion::Requirements requirements;      // the inequalities along the motion, with equation numbers
-  std::string why_no_phi, why_no_ur;      // why the datum is not taken; empty when it may be given
-  std::string why_one_of_phi_ur;          // why exactly one of them is needed; empty when that is not so
+  std::string name;                               // on the command line
+  std::string title;                              // with its phases
+  std::vector<motion::PhaseKind> phases;          // in a period
+  std::vector<std::string> durations;             // the paper's names of how long they last
+  motion::Requirements requirements;              // the inequalities along the motion, with equation numbers
+  std::string why_no_phi, why_no_ur;              // why the datum is not taken; empty when it may be given
+  std::string why_datum;                          // why one of those taken is needed; empty when none is
   std::string (*searched)(const OrbitQuestion&);  // the domain of the search, in words
   // All closed motions with positive durations, or where there may be some, over the whole closed domain.
   // Throws DomainError where the data have no such motions that are isolated.
@@ -84,6 +84,7 @@ struct Family {
                                             const std::optional<Ball>& ur) = nullptr;
   // What is proved of its orbits over a box of parameters; null where no atlas is made of them.
   const atlas::Judges * judges = nullptr;
+  int belt = 0;               // the sign of V that its orbits need; 0: any
   bool is_symmetric = false;  // each phase ends in the mirror image of where it begins (13)
   // Further inequalities along motions on a belt that stands still.
   motion::Requirements at_rest = {};

@@ -322,7 +322,7 @@ const Family& nonsticking() {
                    overshoots(1, "$z2' > V$ for $tau < t < Theta$")}}),
       .why_no_phi = "phi is not given for non-sticking orbits: it is a result",
       .why_no_ur = "",
-      .why_one_of_phi_ur = "",
+      .why_datum = "",
       .searched = [](const OrbitQuestion&) { return std::string("$0 <= tau <= Theta$, every $phi$"); },
       .search = search_nonsticking,
       .strips = nonsticking_strips,

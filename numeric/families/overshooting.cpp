@@ -72,7 +72,7 @@ const Family& overshooting() {
              Quantity::above_minus_ur, 2, true}}}),
       .why_no_phi = "",
       .why_no_ur = "",
-      .why_one_of_phi_ur =
+      .why_datum =
           "overshooting orbits need exactly one of phi and ur: with phi, ur is a result; with ur, phi is",
       .searched =
           [](const OrbitQuestion& q) {
@@ -82,6 +82,7 @@ const Family& overshooting() {
       .search = search_overshooting,
       .strips = overshooting_strips,
       .judges = &atlas::overshooting_judges,
+      .belt = 1,
       // a, C, D: the odd rows, which come first, are free of a and D, the even ones of C.
       .growths = {{{2, 4}, {3}, {0, 1}}, {{3}, {2, 4}, {2, 3}}, {{2, 3, 4}, {}, {}}},
       .first_singular = 2,

@@ -228,7 +228,7 @@ const Family& symmetric() {
             {"f2", "$f2 > 0$ for $tau < t < Theta$", Quantity::above_minus_ur, 1, true}}}),
       .why_no_phi = "phi is not given for symmetric orbits: the symmetry fixes it, (pi - omega tau)/2",
       .why_no_ur = "ur is not given for symmetric orbits: it is a result, by (12)",
-      .why_one_of_phi_ur = "",
+      .why_datum = "",
       .searched =
           [](const OrbitQuestion&) {
             return std::string(
@@ -237,6 +237,7 @@ const Family& symmetric() {
       .search = search_symmetric,
       .strips = symmetric_strips,
       .judges = &atlas::symmetric_judges,
+      .belt = 1,
       .is_symmetric = true,
       .growths = {{{1}, {}, {}}}};  // C
   return family;

@@ -273,3 +273,23 @@ TEST_CASE("random data: every zero that Newton's method finds from a grid is in 
     }
   }
 }
+
+TEST_CASE("a record says which belt its orbits need, and which datum") {
+  Family other = overshooting();
+  other.name = "other";
+  other.belt = -1;
+  other.why_no_phi = "phi is a result";
+  other.why_datum = "other orbits need ur";
+  const ExactParameters a = O();
+  OrbitQuestion q{&other, {{a.chi}, {a.eta}, {a.us}, {a.V}, {a.omega}, {a.p}}, {}, Range{Rational(1)}};
+  CHECK_THROWS_WITH_AS(require_answerable(q), doctest::Contains("V < 0 for other orbits"), DomainError);
+  // Of a box all members.
+  q.parameters.V = {Rational(-1), Rational(1)};
+  CHECK_THROWS_WITH_AS(require_answerable(q), doctest::Contains("V = 0"), DomainError);
+  q.parameters.V = {Rational(-1), Rational(1, 2)};
+  require_answerable(q);
+  q.ur.reset();
+  CHECK_THROWS_WITH_AS(require_answerable(q), "other orbits need ur", UsageError);
+  q.phi = Range{};
+  CHECK_THROWS_WITH_AS(require_answerable(q), "phi is a result", UsageError);
+}
