@@ -623,5 +623,12 @@ PYBIND11_MODULE(_core, m) {
   m.def("latex_text", &latex_text);
   m.def("gnuplot", &gnuplot);
   m.def("expressions", &expressions);
+  m.def("families", [] {
+    std::vector<std::string> names;
+    for (const numeric::Family * family : numeric::all_families()) {
+      names.push_back(family->name);
+    }
+    return names;
+  });
   m.def("version", [] { return report::tools::program_version(); });
 }

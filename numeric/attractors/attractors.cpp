@@ -4,9 +4,7 @@
 
 #include "numeric/attractors/settle.hpp"
 #include "numeric/attractors/survey.hpp"
-#include "numeric/families/nonsticking.hpp"
-#include "numeric/families/overshooting.hpp"
-#include "numeric/families/symmetric.hpp"
+#include "numeric/families/family.hpp"
 #include "numeric/machines/basins/neighbourhood.hpp"
 #include "numeric/simulation/agreement.hpp"
 #include "numeric/words/pure.hpp"
@@ -112,14 +110,13 @@ std::string family_of(const WordOrbit& orbit) {
   if (orbit.periods != 1 || orbit.existence.truth != Truth::proved) {
     return "";
   }
-  const std::string& word = orbit.word.letters();
-  if (word == "OTS") {
-    return families::overshooting().name;
+  for (const families::Family * family : families::all_families()) {
+    if (orbit.word == words::Word::of(family->phases) &&
+        (!family->is_symmetric || may_be_symmetric(orbit.orbit.motion))) {
+      return family->name;
+    }
   }
-  if (word == "OS") {
-    return families::nonsticking().name;
-  }
-  return word == "ST" && may_be_symmetric(orbit.orbit.motion) ? families::symmetric().name : "";
+  return "";
 }
 
 AttractorList find_attractors_from(const AttractorQuestion& question,

@@ -203,7 +203,7 @@ def atlas(what: Union[str, "_os.PathLike[str]"], *, chi: Optional[Along] = None,
     """
     data = dict(chi=chi, eta=eta, us=us, V=V, omega=omega, p=p, phi=phi, ur=ur)
     ranges = _ranges(along)
-    if _os.fspath(what) not in ("symmetric", "nonsticking", "overshooting"):
+    if _os.fspath(what) not in _core.families():
         if ranges or example or machine or any(value is not None for value in data.values()):
             raise UsageError(f"parameters are for an atlas that is made, of a family: '{_os.fspath(what)}' is read")
         return Atlas._from(_core.atlas(_os.fspath(what), _conduct(jobs)))
