@@ -133,7 +133,7 @@ std::optional<Motion> motion_of(const ThroughPhases& q, const LinearEliminant<P>
   model::Vector4<Ball> Z0 = found->Z0;
   Ball phi = found->phi;
   if (is_mirrored<P>(q)) {
-    phi += Ball::pi();
+    phi += phi.is_positive() ? -Ball::pi() : Ball::pi();
     Z0 = -Z0;
     Z0(0) -= Ball(2) * o.d0(0);
     Z0(1) -= Ball(2) * o.d0(1);
