@@ -9,8 +9,8 @@
 #include "numeric/atlas/along.hpp"
 #include "numeric/atlas/multipliers.hpp"
 #include "numeric/atlas/zeros_in_patches.hpp"
+#include "numeric/families/one_stick_reduced.hpp"
 #include "numeric/families/overshooting.hpp"
-#include "numeric/families/overshooting_reduced.hpp"
 #include "numeric/motion/multipliers.hpp"
 
 namespace stickslip::numeric::atlas {
@@ -60,8 +60,8 @@ struct OvershootingOrbit : MotionOver<scalars::Form<S, N>> {
   // its amplitudes may be unbounded.
   [[nodiscard]] static std::optional<OvershootingOrbit> at(const Setting& setting, const T& s, const T& w) {
     const Eigen::Matrix<T, 2, 1> sw(s, w);
-    const auto reduced =
-        families::eliminated<phi_given, T, S>(families::rows_of<2, phi_given, T>(setting.closing, sw));
+    const auto reduced = families::eliminated<families::OneStick<2, phi_given>, T, S>(
+        families::rows_of<2, phi_given, T>(setting.closing, sw));
     if (!reduced) {
       return std::nullopt;
     }

@@ -5,7 +5,9 @@
 
 #include "numeric/branches/law.hpp"
 #include "numeric/branches/search.hpp"
+#include "numeric/families/one_stick_reduced.hpp"
 #include "numeric/orbits.hpp"
+#include "numeric/words/complete_list.hpp"
 #include "tests/numeric/branches/questions.hpp"
 
 using namespace stickslip;
@@ -30,6 +32,16 @@ bool hold_motion(const Tubes& tubes, const Curve& curve, const Cell& cell, const
   REQUIRE(is_on(cell, point.point));
   return tubes.hold(bounds(point.point.x), scalars::ends(Ball(value)));
 }
+
+// The equations of ST over the share of its slip and an interval of ur.
+struct StripOfST {
+  template <class T, class S>
+  [[nodiscard]] families::Reduced<T> operator()(const motion::Given<T>& given, const T& share,
+                                                const T& /*none*/) const {
+    return families::reduced_at_friction<1, T, S>(
+        {model::reduced_data<T>(given.data, T(scalars::pi<S>())), *given.ur}, Eigen::Matrix<T, 1, 1>(share));
+  }
+};
 
 }  // namespace
 
@@ -210,4 +222,45 @@ TEST_CASE("tubes in the units of large motions hold these, and nothing at the ot
     }
   }
   CHECK(looked >= 1);
+}
+
+TEST_CASE("a strip of ST keeps each orbit with bounds around it, and leaves out most of the rest") {
+  // Each at the middle of the interval.
+  const motion::ExactParameters a = motion::parse_parameters("0.5", "3.8", "0.02", "1", "0.6", "0.05");
+  const Rational ur = parse_rational("0.16");
+  const families::StripQuestion q{{a, {}, ur}, 7, ur - Rational(1, 1000), ur + Rational(1, 1000)};
+  const families::Strip strip = families::strip_of(q, 0, 4, {{0, 0, 0}, {1, 0, 1}}, StripOfST{});
+  const words::WordList list = words::all_orbits({a, ur, 20}, words::Word::parse("ST"), 1);
+  REQUIRE(list.unresolved.empty());
+  REQUIRE(!list.orbits.empty());
+  constexpr int count = 512;
+  int left = 0;
+  std::size_t held = 0;
+  for (int k = 0; k < count; ++k) {
+    const Ball share = Ball::hull(Ball(Rational(k, count)), Ball(Rational(k + 1, count)));
+    families::StripBox box;
+    box << share, Ball(0), Ball::hull(Ball(0), Ball(families::length_of(q)));
+    const std::optional<families::Strip::View> view = strip.look(box);
+    left += view ? 1 : 0;
+    for (const words::WordOrbit& o : list.orbits) {
+      const motion::Phase& slip = o.orbit.motion.phases[0];
+      if (!(slip.duration / motion::period(o.orbit.motion)).overlaps(share)) {
+        continue;
+      }
+      ++held;
+      REQUIRE(view);
+      CHECK(view->rest(0).overlaps(slip.duration / motion::period(o.orbit.motion)));
+      if (view->x.empty()) {
+        continue;
+      }
+      const auto in = [&](std::size_t i) {
+        return Ball::hull(Ball(view->x.at(i).first), Ball(view->x.at(i).second));
+      };
+      CHECK(in(0).overlaps(slip.duration));
+      const Ball turns = (in(4) - slip.load) / (Ball(2) * Ball::pi());
+      CHECK((turns - Ball(std::round(turns.approximate()))).contains_zero());
+    }
+  }
+  CHECK(held >= list.orbits.size());
+  CHECK(left < count / 4);
 }

@@ -9,6 +9,7 @@
 
 #include "core/decimal.hpp"
 #include "core/error.hpp"
+#include "numeric/motion/closing.hpp"
 #include "numeric/simulation/simulation.hpp"
 #include "numeric/words/pure.hpp"
 #include "tests/numeric/examples.hpp"
@@ -207,6 +208,15 @@ TEST_CASE("no motion goes through a word in which x2 only falls or only rises") 
   CHECK(why_no_motion(Rational(1, 10), ST).empty());
   CHECK(why_no_motion(Rational(0), Word::parse("OTS")).empty());
   CHECK(why_no_motion(Rational(-1), Word::parse("OT")).empty());
+}
+
+TEST_CASE("the friction of a motion through OT, whose stick ends with r = -ur, is ur") {
+  const WordQuestion q{motion::parse_parameters("0.57", "4.97", "0.074", "-0.132", "1.117", "1.33"),
+                       parse_rational("0.097"), 20};
+  const WordList list = all_orbits(q, Word::parse("OT"), 1);
+  REQUIRE(list.orbits.size() == 1);
+  CHECK(families::is_admissible(list.orbits[0].orbit));
+  CHECK(motion::taken_as_closed(list.orbits[0].orbit.motion).friction[0].contains(q.ur));
 }
 
 TEST_CASE("OS: the orbit of the family, at any friction, and none of two periods") {
