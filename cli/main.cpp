@@ -109,6 +109,7 @@ PaperInHelp in_help() {
   return {report::tools::enumerated(report::tools::wrapped(about, width_of_help), std::identity(), "\n"),
           names_of(proofs::pascal2012::printed_examples()),
           numeric::families::names_of_families(),
+          numeric::families::names_of_judged_families(),
           families(),
           [] { return report::tools::enumerated(paper().sections, &Section::id); },
           [] { return id_of_a_part(paper().claims); },

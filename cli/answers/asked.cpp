@@ -414,7 +414,7 @@ TypedParameters in_the_middle(TypedParameters machine) {
 
 Asked<atlas::Question> asked_atlas(const AtlasOptions& o, const Examples& examples) {
   if (o.family.empty()) {
-    throw UsageError("a family of orbits is missing: " + numeric::families::names_of_families());
+    throw UsageError("a family of orbits is missing: " + numeric::families::names_of_judged_families());
   }
   atlas::Question q;
   q.family = &family_named(o.family);

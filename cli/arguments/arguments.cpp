@@ -29,6 +29,7 @@ Wording wording_of(const PaperInHelp& paper) {
   };
   return {{"examples", text(paper.examples)},
           {"family_names", text(paper.family_names)},
+          {"judged_names", text(paper.judged_names)},
           {"families", text(paper.families)},
           {"part", paper.part},
           {"equation", first(paper.part, '.')},

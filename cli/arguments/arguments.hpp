@@ -172,6 +172,7 @@ struct PaperInHelp {
   std::string about;                           // what the program does with it, in lines
   std::string examples;                        // "S, O or P"
   std::string family_names;                    // "symmetric, overshooting or nonsticking"
+  std::string judged_names;                    // those that an atlas is made of
   std::string families;                        // what each is given and what it finds, in lines
   Made places = [] { return std::string(); };  // "sec2, sec3, A1"
   Made part = [] { return std::string(); };    // a statement that is part of an equation: "44.H"

@@ -45,13 +45,26 @@ const std::vector<const Family *>& all_families() {
   return table;
 }
 
-std::string names_of_families() {
+namespace {
+
+std::string names_of(const std::vector<const Family *>& all) {
   std::string names;
-  const auto& all = all_families();
   for (std::size_t i = 0; i < all.size(); ++i) {
     names += (i == 0 ? "" : i + 1 == all.size() ? " or " : ", ") + all[i]->name;
   }
   return names;
+}
+
+}  // namespace
+
+std::string names_of_families() {
+  return names_of(all_families());
+}
+
+std::string names_of_judged_families() {
+  std::vector<const Family *> judged = all_families();
+  std::erase_if(judged, [](const Family * family) { return family->judges == nullptr; });
+  return names_of(judged);
 }
 
 const Family& family_named(const std::string& name) {

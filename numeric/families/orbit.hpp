@@ -96,5 +96,7 @@ enum class Remark {
 [[nodiscard]] const Family& family_named(const std::string& name);
 // "symmetric, overshooting or nonsticking".
 [[nodiscard]] std::string names_of_families();
+// The same of those that an atlas is made of.
+[[nodiscard]] std::string names_of_judged_families();
 
 }  // namespace stickslip::numeric::families
