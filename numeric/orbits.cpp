@@ -6,7 +6,7 @@
 
 #include "core/domain.hpp"
 #include "core/interruption.hpp"
-#include "numeric/families/isolate.hpp"
+#include "numeric/families/through_phases/isolate.hpp"
 #include "numeric/machines/basins/neighbourhood.hpp"
 #include "numeric/orbit_over_box.hpp"
 

@@ -1,7 +1,7 @@
 #include "numeric/atlas/judge.hpp"
 #include "numeric/atlas/judging.hpp"
 #include "numeric/atlas/overshooting_orbit.hpp"
-#include "numeric/families/isolate.hpp"
+#include "numeric/families/through_phases/isolate.hpp"
 
 namespace stickslip::numeric::atlas {
 

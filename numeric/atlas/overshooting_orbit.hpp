@@ -9,8 +9,8 @@
 #include "numeric/atlas/along.hpp"
 #include "numeric/atlas/multipliers.hpp"
 #include "numeric/atlas/zeros_in_patches.hpp"
-#include "numeric/families/one_stick_reduced.hpp"
 #include "numeric/families/overshooting.hpp"
+#include "numeric/families/through_phases/one_stick_reduced.hpp"
 #include "numeric/motion/multipliers.hpp"
 
 namespace stickslip::numeric::atlas {

@@ -8,7 +8,7 @@
 #include "core/decimal.hpp"
 #include "core/error.hpp"
 #include "core/names.hpp"
-#include "numeric/families/isolate.hpp"
+#include "numeric/families/through_phases/isolate.hpp"
 
 namespace stickslip::numeric::atlas {
 

@@ -14,7 +14,7 @@
 #include "core/names.hpp"
 #include "numeric/branches/law.hpp"
 #include "numeric/branches/setting.hpp"
-#include "numeric/families/isolate.hpp"
+#include "numeric/families/through_phases/isolate.hpp"
 
 namespace stickslip::numeric::branches {
 

@@ -7,7 +7,7 @@
 
 #include "core/domain.hpp"
 #include "core/error.hpp"
-#include "numeric/families/isolate.hpp"
+#include "numeric/families/through_phases/isolate.hpp"
 #include "numeric/motion/infimum.hpp"
 
 namespace stickslip::numeric::families {

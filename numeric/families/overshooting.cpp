@@ -2,7 +2,7 @@
 
 #include "core/domain.hpp"
 #include "core/error.hpp"
-#include "numeric/families/through_phases.hpp"
+#include "numeric/families/through_phases/through_phases.hpp"
 
 namespace stickslip::numeric::families {
 

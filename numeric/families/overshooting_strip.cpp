@@ -1,5 +1,5 @@
-#include "numeric/families/one_stick_reduced.hpp"
 #include "numeric/families/overshooting.hpp"
+#include "numeric/families/through_phases/one_stick_reduced.hpp"
 
 namespace stickslip::numeric::families {
 

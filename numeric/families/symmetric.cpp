@@ -4,8 +4,8 @@
 #include <array>
 
 #include "core/error.hpp"
-#include "numeric/families/end_rows.hpp"
-#include "numeric/families/isolate.hpp"
+#include "numeric/families/through_phases/end_rows.hpp"
+#include "numeric/families/through_phases/isolate.hpp"
 
 namespace stickslip::numeric::families {
 

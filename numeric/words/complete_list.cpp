@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "numeric/families/isolate.hpp"
 #include "numeric/families/nonsticking.hpp"
-#include "numeric/families/through_phases.hpp"
+#include "numeric/families/through_phases/isolate.hpp"
+#include "numeric/families/through_phases/through_phases.hpp"
 #include "numeric/machines/orbits/machine_orbit.hpp"
 
 namespace stickslip::numeric::words {

@@ -5,7 +5,7 @@
 
 #include "numeric/branches/law.hpp"
 #include "numeric/branches/search.hpp"
-#include "numeric/families/one_stick_reduced.hpp"
+#include "numeric/families/through_phases/one_stick_reduced.hpp"
 #include "numeric/orbits.hpp"
 #include "numeric/words/complete_list.hpp"
 #include "tests/numeric/branches/questions.hpp"

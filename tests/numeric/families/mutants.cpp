@@ -2,7 +2,7 @@
 // sign. None may come out as proved at the orbit.
 #include <doctest/doctest.h>
 
-#include "numeric/families/one_stick_closing.hpp"
+#include "numeric/families/through_phases/one_stick_closing.hpp"
 #include "numeric/zeros/elimination.hpp"
 #include "numeric/zeros/krawczyk.hpp"
 #include "numeric/zeros/search.hpp"

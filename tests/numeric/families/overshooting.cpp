@@ -7,7 +7,7 @@
 #include <array>
 
 #include "core/error.hpp"
-#include "numeric/families/one_stick_closing.hpp"
+#include "numeric/families/through_phases/one_stick_closing.hpp"
 #include "proofs/pascal2012/examples/example_o_closing.hpp"
 #include "tests/numeric/examples.hpp"
 #include "tests/numeric/families/random_data.hpp"

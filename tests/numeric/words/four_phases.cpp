@@ -5,7 +5,7 @@
 
 #include "core/decimal.hpp"
 #include "numeric/families/overshooting.hpp"
-#include "numeric/families/two_sticks.hpp"
+#include "numeric/families/through_phases/two_sticks.hpp"
 #include "numeric/words/complete_list.hpp"
 #include "numeric/zeros/effort.hpp"
 #include "tests/numeric/examples.hpp"

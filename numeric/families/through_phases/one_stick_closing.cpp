@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "numeric/families/one_stick_search.hpp"
+#include "numeric/families/through_phases/one_stick_search.hpp"
 
 namespace stickslip::numeric::families {
 

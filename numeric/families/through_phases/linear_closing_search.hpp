@@ -1,7 +1,7 @@
 // The definitions of linear_closing.hpp, for the source files of problems.
 #pragma once
 
-#include "numeric/families/linear_closing.hpp"
+#include "numeric/families/through_phases/linear_closing.hpp"
 #include "numeric/zeros/elimination.hpp"
 
 namespace stickslip::numeric::families {

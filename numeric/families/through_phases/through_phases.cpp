@@ -1,11 +1,11 @@
-#include "numeric/families/through_phases.hpp"
+#include "numeric/families/through_phases/through_phases.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "numeric/families/isolate.hpp"
 #include "numeric/families/overshooting.hpp"
-#include "numeric/families/two_sticks.hpp"
+#include "numeric/families/through_phases/isolate.hpp"
+#include "numeric/families/through_phases/two_sticks.hpp"
 
 namespace stickslip::numeric::families {
 

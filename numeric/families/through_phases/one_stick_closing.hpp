@@ -11,7 +11,7 @@
 #pragma once
 
 #include "model/overshooting_closing.hpp"
-#include "numeric/families/linear_closing.hpp"
+#include "numeric/families/through_phases/linear_closing.hpp"
 
 namespace stickslip::numeric::families {
 

@@ -1,8 +1,8 @@
 // The definitions of one_stick_closing.hpp, for the source files that make its problems.
 #pragma once
 
-#include "numeric/families/end_rows.hpp"
-#include "numeric/families/one_stick_rows.hpp"
+#include "numeric/families/through_phases/end_rows.hpp"
+#include "numeric/families/through_phases/one_stick_rows.hpp"
 
 namespace stickslip::numeric::families {
 

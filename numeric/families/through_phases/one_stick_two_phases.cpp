@@ -1,4 +1,4 @@
-#include "numeric/families/one_stick_search.hpp"
+#include "numeric/families/through_phases/one_stick_search.hpp"
 
 namespace stickslip::numeric::families {
 

@@ -21,7 +21,7 @@
 
 #include <array>
 
-#include "numeric/families/one_stick_closing.hpp"
+#include "numeric/families/through_phases/one_stick_closing.hpp"
 
 namespace stickslip::numeric::families {
 

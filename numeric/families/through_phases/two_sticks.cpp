@@ -1,8 +1,8 @@
-#include "numeric/families/two_sticks.hpp"
+#include "numeric/families/through_phases/two_sticks.hpp"
 
 #include "model/flows.hpp"
 #include "model/parameters.hpp"
-#include "numeric/families/linear_closing_search.hpp"
+#include "numeric/families/through_phases/linear_closing_search.hpp"
 
 namespace stickslip::numeric::families {
 

@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "numeric/families/one_stick_rows.hpp"
 #include "numeric/families/strip.hpp"
+#include "numeric/families/through_phases/one_stick_rows.hpp"
 
 namespace stickslip::numeric::families {
 

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "model/slip_again.hpp"
-#include "numeric/families/linear_closing_search.hpp"
-#include "numeric/families/one_stick_closing.hpp"
+#include "numeric/families/through_phases/linear_closing_search.hpp"
+#include "numeric/families/through_phases/one_stick_closing.hpp"
 
 namespace stickslip::numeric::families {
 
