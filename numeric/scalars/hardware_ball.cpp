@@ -89,11 +89,16 @@ std::pair<HardwareBall, HardwareBall> sin_cos_around(const std::pair<double, dou
   return {around(at.first, at.second, 1, r), around(at.second, at.first, 1, r)};
 }
 
-// |d^k sinc| <= 1/(k + 1), for sinc(x) is the mean of cos(x t) over 0 < t < 1.
-std::pair<HardwareBall, HardwareBall> sinc_around(const std::pair<double, double>& at, double r) {
+// |d^k sinc| <= 1/(k + 1), for sinc(x) is the mean of cos(x t) over 0 < t < 1; and -x sinc''(x) = (1 - 2/x²)
+// sin x + (2/x) cos x is at most √(1 + 4/x⁴) in size, less than 1.03 for |x| > 3.05, where that says more.
+std::pair<HardwareBall, HardwareBall> sinc_around(const std::pair<double, double>& at,
+                                                  const HardwareBall& x) {
   const auto& [value, slope] = at;
-  return {around(value, std::abs(slope) + 8 * error, 1.0 / 3 + error, r) + HardwareBall(0, 4 * error),
-          HardwareBall(slope, 8 * error) + HardwareBall(0, (1.0 / 3 + error) * r)};
+  const double r = x.radius();
+  const double least = std::max(std::abs(x.approximate()) - r, 1.0);
+  const double curvature = std::min(1.0 / 3 + error, 1.03 / least);
+  return {around(value, std::abs(slope) + 8 * error, curvature, r) + HardwareBall(0, 4 * error),
+          HardwareBall(slope, 8 * error) + HardwareBall(0, curvature * r)};
 }
 
 }  // namespace
@@ -133,7 +138,7 @@ std::array<std::pair<HardwareBall, HardwareBall>, 2> sin_cos(const std::array<Ha
 }
 
 std::pair<HardwareBall, HardwareBall> sinc_and_slope(const HardwareBall& x) {
-  return is_reducible(x) ? sinc_around(sinc_at_point(x.approximate()), x.radius())
+  return is_reducible(x) ? sinc_around(sinc_at_point(x.approximate()), x)
                          : std::pair<HardwareBall, HardwareBall>{{0, 1}, {0, 0.5}};
 }
 
@@ -142,7 +147,7 @@ std::array<std::pair<HardwareBall, HardwareBall>, 2> sinc_and_slope(const std::a
     return {sinc_and_slope(x[0]), sinc_and_slope(x[1])};
   }
   const auto at = sinc_at_point(x[0].approximate());
-  return {sinc_around(at, x[0].radius()), sinc_around(at, x[1].radius())};
+  return {sinc_around(at, x[0]), sinc_around(at, x[1])};
 }
 
 // |√x - √m| = |x - m|/(√x + √m), largest for the least x; std::sqrt rounds to nearest.

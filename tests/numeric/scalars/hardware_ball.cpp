@@ -207,6 +207,24 @@ TEST_CASE("two places at once, exact numbers and inverses") {
   CHECK(scalar<HardwareBall>(Rational(-7)).radius() == 0);
 }
 
+TEST_CASE("far from 0 sinc turns little, and what is enclosed of it is all of it") {
+  const WorkingPrecision scope(200);
+  for (int i = 1; i < 400; ++i) {  // both where it is curved most, at odd multiples of pi/2, and elsewhere
+    const double m = i * 0.78539816339744831;
+    for (const double r : {1e-6, 1e-3, 0.1, 1.0, 3.0}) {
+      const HardwareBall x(m, r);
+      for (const double share : {-1.0, -0.9, 0.5, 1.0}) {
+        const Ball member = Ball(m) + Ball(share) * Ball(r);
+        CHECK(holds(sinc(x), sinc(member)));
+        CHECK(holds(sinc_slope(x), sinc_slope(member)));
+      }
+      if (m > r) {
+        CHECK(sinc_slope(x).radius() < 1.04 * r / (m - r) + 1e-12);
+      }
+    }
+  }
+}
+
 TEST_CASE("what is not a number decides nothing") {
   const HardwareBall nowhere = HardwareBall(1) / HardwareBall(0, 1);
   const HardwareBall none(NAN, 0);
