@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -24,6 +25,27 @@ template <int R, int C, class S>
     const Eigen::Matrix<S, R, C>& rows) {
   const std::optional<Eigen::MatrixXd> found = row_combinations(in_double(rows.template leftCols<C - 1>()));
   return found ? std::optional<Eigen::Matrix<double, R, R>>(*found) : std::nullopt;
+}
+
+// The same of the first U columns, over a box: the rows are divided by how wide they are, so that of the
+// pivots those are taken that are known best, and little of what is wide is added to other rows.
+template <int U, int R, int C, int N, class S>
+[[nodiscard]] std::optional<Eigen::Matrix<double, R, R>> proposed_combinations(
+    const Eigen::Matrix<S, R, C>& at_m, const Eigen::Matrix<scalars::Jet<S, N>, R, C>& over) {
+  Eigen::MatrixXd part(R, U);
+  Eigen::Matrix<double, R, 1> scale;
+  for (int i = 0; i < R; ++i) {
+    double widest = 0;
+    for (int j = 0; j < C; ++j) {
+      widest = std::max(widest, over(i, j).value.radius());
+    }
+    scale(i) = widest > 0 ? 1 / widest : 1;
+    for (int j = 0; j < U; ++j) {
+      part(i, j) = at_m(i, j).approximate() * scale(i);
+    }
+  }
+  const std::optional<Eigen::MatrixXd> found = row_combinations(part);
+  return found ? std::optional<Eigen::Matrix<double, R, R>>(*found * scale.asDiagonal()) : std::nullopt;
 }
 
 // combinations · rows, over balls or what is made of them.

@@ -135,6 +135,24 @@ Unknowns<P, T> functions(const LoadRows<P, T>& m) {
   }
 }
 
+// What each two rows leave.
+template <class P>
+std::optional<FastBox<P::times>> contracted_by_pairs(const LoadRows<P, FastJet<P::times>>& over,
+                                                     const LoadRows<P, HardwareBall>& at_m,
+                                                     const HardwareBox<P::times>& box,
+                                                     std::optional<FastBox<P::times>> rest) {
+  constexpr int N = P::times;
+  for (int i = 0; i < P::left && rest; ++i) {
+    for (int j = i + 1; j < P::left && rest; ++j) {
+      Eigen::Matrix<FastJet<N>, 3, 1> n = direction<P, FastJet<N>>(over, i, j);
+      const Eigen::Matrix<HardwareBall, 3, 1> n_at_m = direction<P, HardwareBall>(at_m, i, j);
+      zeros::sharpen<3, 1, N>(n, n_at_m, box.spread);
+      rest = contracted<N>(circle<FastJet<N>>(n), circle<HardwareBall>(n_at_m), box.m, *rest);
+    }
+  }
+  return rest;
+}
+
 // Whether a row allows some cos psi and sin psi: |1's part| is at most the length of the other two.
 template <class P>
 bool load_is_possible(const LoadRows<P, FastJet<P::times>>& m) {
@@ -230,12 +248,12 @@ auto LinearEliminant<P>::contract(const P& problem, const Box& X) -> std::option
   }
   AllRows<P, HardwareBall> at_m =
       stacked<P, HardwareBall>(first_at_m, other_rows<HardwareBall>(problem, box.m));
-  const auto combinations = detail::combinations_for<P, HardwareBall>(at_m);
+  AllRows<P, Jets> over = stacked<P, Jets>(first, other_rows<Jets>(problem, x));
+  const auto combinations = zeros::proposed_combinations<P::amplitudes, R, C, N>(at_m, over);
   if (!combinations) {
     return detail::as_balls<N>(*rest);
   }
-  AllRows<P, Jets> over =
-      zeros::combined_rows<Jets, R, C>(*combinations, stacked<P, Jets>(first, other_rows<Jets>(problem, x)));
+  over = zeros::combined_rows<Jets, R, C>(*combinations, over);
   at_m = zeros::combined_rows<HardwareBall, R, C>(*combinations, at_m);
   zeros::sharpen<R, C, N>(over, at_m, box.spread);
   auto left_over = detail::left_for_load<P, Jets>(over);
@@ -248,22 +266,18 @@ auto LinearEliminant<P>::contract(const P& problem, const Box& X) -> std::option
     return std::nullopt;
   }
   if constexpr (L == 3) {
-    const auto further = detail::combinations_for_load<P, HardwareBall>(*left_at_m);
-    if (!further) {
-      return detail::as_balls<N>(*rest);
+    rest = detail::contracted_by_pairs<P>(*left_over, *left_at_m, box, rest);
+  }
+  if constexpr (L == 3 && K > 2) {
+    // Before, what is wide is in as few rows as can be; now cos psi, sin psi and what must vanish are apart.
+    const auto further = zeros::proposed_combinations<2, K, L, N>(*left_at_m, *left_over);
+    if (!rest || !further) {
+      return rest ? std::optional(detail::as_balls<N>(*rest)) : std::nullopt;
     }
-    if (K > 2) {
-      left_over = zeros::combined_rows<Jets, K, L>(*further, *left_over);
-      left_at_m = zeros::combined_rows<HardwareBall, K, L>(*further, *left_at_m);
-      zeros::sharpen<K, L, N>(*left_over, *left_at_m, box.spread);
-    }
-    for (int i = 0; i < K && rest; ++i) {
-      for (int j = i + 1; j < K && rest; ++j) {
-        rest = contracted<N>(
-            detail::circle<Jets>(detail::direction<P, Jets>(*left_over, i, j)),
-            detail::circle<HardwareBall>(detail::direction<P, HardwareBall>(*left_at_m, i, j)), box.m, *rest);
-      }
-    }
+    left_over = zeros::combined_rows<Jets, K, L>(*further, *left_over);
+    left_at_m = zeros::combined_rows<HardwareBall, K, L>(*further, *left_at_m);
+    zeros::sharpen<K, L, N>(*left_over, *left_at_m, box.spread);
+    rest = detail::contracted_by_pairs<P>(*left_over, *left_at_m, box, rest);
   }
   const auto f = detail::functions<P, Jets>(*left_over);
   const FastBox<N> f_at_m = detail::functions<P, HardwareBall>(*left_at_m);

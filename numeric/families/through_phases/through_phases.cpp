@@ -107,13 +107,15 @@ struct Searched {
 };
 
 // The side of a cell that is to be halved: of three the one over which durations may change most, where x0 is
-// a share of all periods, x1 one of what it takes and x2 of what it leaves.
+// a share of all periods, x1 one of what it takes and x2 of what it leaves. Of two x0 counts twice: all rows
+// change with it, and but for one, z2'(tau) = V, with x1 only by how long the friction is turned.
 template <int N>
 std::size_t halved(const Cell<N>& cell) {
-  if constexpr (N < 3) {
-    return zeros::detail::longest_side<N>(cell);
+  if constexpr (N < 2) {
+    return 0;
   }
-  const std::array<double, 3> unit{1, cell.upper[0], 1 - cell.lower[0]};
+  const std::array<double, 3> unit =
+      N == 2 ? std::array<double, 3>{2, 1, 0} : std::array<double, 3>{1, cell.upper[0], 1 - cell.lower[0]};
   const auto felt = [&](std::size_t i) { return (cell.upper[i] - cell.lower[i]) * unit[i]; };
   std::size_t most = 0;
   for (std::size_t i = 1; i < N; ++i) {

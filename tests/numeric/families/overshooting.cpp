@@ -228,6 +228,33 @@ TEST_CASE("lists are complete at low frequency, at omega = 1 and beside resonanc
   check_list(second, "1e-8");
 }
 
+TEST_CASE("where modes are fast, their period long and friction small, cells need not be tiny") {
+  struct Datum {
+    ExactParameters a;
+    Rational ur;
+    std::size_t orbits;
+    long cells;
+  };
+  const auto exact = [](const char * text) { return parse_rational(text); };
+  const std::array<Datum, 2> data{Datum{{exact("0.464374"), exact("16.5543"), exact("0.522701"),
+                                         exact("0.106409"), exact("0.351216"), exact("4.20312")},
+                                        exact("0.729118"),
+                                        36,
+                                        50000},
+                                  Datum{{exact("0.691524"), exact("29.8869"), exact("0.122693"),
+                                         exact("1.87749"), exact("0.55602"), exact("2.1868")},
+                                        exact("0.942405"),
+                                        40,
+                                        60000}};
+  for (const Datum& datum : data) {
+    const Effort few(datum.cells, {});
+    const OrbitList list = list_overshooting_at_friction(datum.a, datum.ur, 10);
+    CHECK(list.unresolved.empty());
+    CHECK(list.orbits.size() == datum.orbits);
+    check_list(list, "1e-10");
+  }
+}
+
 TEST_CASE("data outside the domain are refused by name") {
   CHECK_THROWS_AS(
       (void)list_overshooting_at_friction(parse_parameters("0.2", "4", "0.05", "1", "0.6", "0"), 1, 15),
