@@ -48,7 +48,7 @@ function(stickslip_together target name)
 endfunction()
 
 # stickslip_in_eights(TARGET [MIXED] SOURCES…): sources that follow each other are compiled together, by eights: those of one
-# folder, or with MIXED whatever folders they are in.
+# folder and of folders within it, or with MIXED whatever folders they are in.
 function(stickslip_in_eights target)
   cmake_parse_arguments(arg "MIXED" "" "" ${ARGN})
   set(count 0)
@@ -56,6 +56,7 @@ function(stickslip_in_eights target)
   set(last "")
   foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     cmake_path(GET source PARENT_PATH folder)
+    string(REGEX REPLACE "/.*" "" folder "${folder}")
     if(arg_MIXED)
       set(folder mixed)
     endif()
