@@ -72,6 +72,14 @@ void add_roots(const Term& term, std::vector<Term>& roots, std::set<std::string>
   }
 }
 
+// b = a, of a = b.
+Assumption turned_round(Assumption assumption) {
+  if (!assumption.statement.during) {
+    std::swap(assumption.statement.left, assumption.statement.right);
+  }
+  return assumption;
+}
+
 }  // namespace
 
 bool is_of_root(const Assumption& assumption) {
@@ -160,6 +168,28 @@ Given::Given(const Claim& claim) {
   }
 }
 
+// First those that can be read in one direction only, and that is not the usual one.
+Given Given::in_both_directions(const Claim& claim) {
+  Given result;
+  const auto take = [&](const Assumption& one) {
+    if (is_substitution(one)) {
+      result.take(one.statement);
+    }
+  };
+  for (const Assumption& one : claim.assumptions) {
+    if (!is_substitution(one)) {
+      take(turned_round(one));
+    }
+  }
+  std::ranges::for_each(claim.assumptions, take);
+  for (const Assumption& one : claim.assumptions) {
+    if (!result.takes(one)) {
+      take(turned_round(one));
+    }
+  }
+  return result;
+}
+
 bool Given::take(const Statement& statement) {
   return !leads_to(statement.right, statement.left.name()) &&
          values.emplace(statement.left.name(), statement.right).second;
@@ -169,6 +199,13 @@ bool Given::takes(const Assumption& assumption) const {
   const auto value =
       is_substitution(assumption) ? values.find(assumption.statement.left.name()) : values.end();
   return value != values.end() && equal(value->second, assumption.statement.right);
+}
+
+std::optional<Statement> Given::value_in(const Assumption& assumption) const {
+  const Assumption turned = turned_round(assumption);
+  return takes(assumption) ? std::optional(assumption.statement)
+         : takes(turned)   ? std::optional(turned.statement)
+                           : std::nullopt;
 }
 
 bool Given::leads_to(const Term& term, const std::string& name) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -35,6 +36,8 @@ struct Given {
 
   Given() = default;
   explicit Given(const Claim& claim);
+  // Also of what says "value = scalar", and of "scalar = scalar" one of both.
+  [[nodiscard]] static Given in_both_directions(const Claim& claim);
 
   // Adds "scalar = value", unless the scalar has a value or this one leads back to it. Whether it did.
   bool take(const symbols::Statement& statement);
@@ -42,6 +45,8 @@ struct Given {
   // Whether the assumption is one of the values. A second value of a scalar, or one that leads back to it, is
   // a condition.
   [[nodiscard]] bool takes(const Assumption& assumption) const;
+  // The assumption as "scalar = value", where that is one of the values, in whichever direction it is said.
+  [[nodiscard]] std::optional<symbols::Statement> value_in(const Assumption& assumption) const;
 
  private:
   [[nodiscard]] bool leads_to(const symbols::Term& term, const std::string& name) const;

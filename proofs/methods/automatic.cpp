@@ -69,13 +69,15 @@ Theorem first_of(const std::vector<Theorem (*)(Derivation&, const Formula&)>& wa
   return found ? *found : ways.back()(derivation, formula);
 }
 
-// "symbol = value", as far as the symbols are variables.
+// "symbol = value", as far as the symbols are variables, in whichever direction it is said.
 std::vector<Theorem> given_values(Derivation& derivation) {
-  const Given given(derivation.claim());
+  const auto given = Given::in_both_directions(derivation.claim());
   std::vector<Theorem> result;
   for (const Assumption& one : derivation.claim().assumptions) {
-    if (given.takes(one) && derivation.read(one.statement.left).kind() == kernel::Kind::variable) {
-      result.push_back(Theorem::assume(derivation.read(one.statement)));
+    const auto value = given.value_in(one);
+    if (value && derivation.read(value->left).kind() == kernel::Kind::variable) {
+      const Theorem said = Theorem::assume(derivation.read(one.statement));
+      result.push_back(given.takes(one) ? said : tactics::symmetric(said));
     }
   }
   return result;

@@ -61,6 +61,7 @@ bool is_zero(const Term& number) {
 }  // namespace
 
 Derivation::Derivation(Prover& prover, const Claim& claim) : prover_(prover), claim_(claim) {
+  const auto given = methods::Given::in_both_directions(claim);
   for (const Assumption& assumption : claim.assumptions) {
     try {
       const Formula formula = read_(assumption.statement);
@@ -68,8 +69,13 @@ Derivation::Derivation(Prover& prover, const Claim& claim) : prover_(prover), cl
       if (is_divisor(formula)) {
         stated_nonzero_.insert(formula);
       }
-      if (is_substitution(assumption)) {
-        given_.push_back({assumption.id, Theorem::assume(formula)});
+      if (const auto value = given.value_in(assumption)) {
+        const Theorem said = Theorem::assume(formula);
+        given_.push_back({assumption.id, given.takes(assumption) ? said : symmetric(said)});
+      } else if (is_substitution(assumption)) {
+        if (given.values.contains(assumption.statement.left.name())) {  // a second value, and no circle
+          given_.push_back({assumption.id, Theorem::assume(formula)});
+        }
       } else if (is_inequality(formula)) {
         known_.push_back(Theorem::assume(formula));
       } else if (formula.kind() == kernel::Kind::conjunction && !assumption.statement.during) {

@@ -299,8 +299,10 @@ Theorem Derivation::related(const Formula& formula) {
     }
   }
   for (const Formula& one : assumed()) {
-    const bool is_given =
-        std::ranges::any_of(given_, [&](const Given& given) { return given.equation.conclusion() == one; });
+    const bool is_given = std::ranges::any_of(given_, [&](const Given& given) {
+      return given.equation.conclusion() == one ||
+             (!given.id.empty() && given.equation.hypotheses().contains(one));
+    });
     if (is_equation_of_numbers(one) && !is_given) {
       problem.multiples.push_back({Theorem::assume(one)});
     }

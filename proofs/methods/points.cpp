@@ -173,9 +173,11 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
   Substitution given;
   Given taken;
   const auto take = [&](const Statement& value) {
-    if (taken.take(value)) {
+    const bool is_new = taken.take(value);
+    if (is_new) {
       result.values.push_back(value);
     }
+    return is_new;
   };
   const auto solutions = solved_in_turn(derivation, choice, false);
   if (!solutions) {
@@ -187,9 +189,9 @@ std::optional<Unknowns> unknowns(Derivation& derivation, const std::optional<Sta
     const auto stated = std::ranges::find_if(derivation.claim().assumptions, [&](const Assumption& assumed) {
       return is_substitution(assumed) && assumed.statement.left.name() == letter.name();
     });
-    take(stated != derivation.claim().assumptions.end()
-             ? stated->statement
-             : symbols::equation(printed_term(letter), printed_term(value)));
+    if (stated == derivation.claim().assumptions.end() || !take(stated->statement)) {
+      take(symbols::equation(printed_term(letter), printed_term(value)));
+    }
   }
   for (const Assumption& one : derivation.claim().assumptions) {
     if (is_substitution(one)) {

@@ -505,16 +505,17 @@ std::optional<Theorem> obeying_values(Prover& prover, const Claim& claim,
                                       const std::vector<Hypothesis>& hypotheses) {
   Scene scene{.state = 0};
   const std::vector<symbols::Statement> holding = assumed_statements(with_hypotheses(claim, hypotheses));
-  Given given;
-  const auto take = [&](const symbols::Statement& one) {
+  auto given = Given::in_both_directions(claim);
+  for (const Assumption& assumption : claim.assumptions) {
+    if (const auto value = given.value_in(assumption)) {
+      scene.values.push_back(*value);
+    }
+  }
+  for (const symbols::Statement& one : claim.printed) {  // what is proved holds wherever the rest does
     if (is_substitution({"", one}) && given.take(one)) {
       scene.values.push_back(one);
     }
-  };
-  for (const Assumption& assumption : claim.assumptions) {
-    take(assumption.statement);
   }
-  std::ranges::for_each(claim.printed, take);  // what is proved holds wherever the rest does
   scene.closed_forms = claim.printed;
   for (const Claim * before : prover.before(claim.id)) {
     scene.closed_forms.insert(scene.closed_forms.end(), before->printed.begin(), before->printed.end());

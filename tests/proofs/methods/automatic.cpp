@@ -420,6 +420,26 @@ TEST_CASE("what bends down lies above what it is at both ends") {
   CHECK(truth_of("exp(x) > 1 + 2 x", {"0 < x < 1"}, {"x"}) == Truth::refuted);
 }
 
+TEST_CASE("an equation gives a value in whichever direction it is said") {
+  CHECK(truth_of("x > 3", {"exp(2) = x"}, {"x"}) == Truth::proved);
+  CHECK(truth_of("sin(x) < 9/10", {"exp(1/10) = x"}, {"x"}) == Truth::proved);
+  CHECK(truth_of("y > 3", {"exp(2) = x", "x = y"}, {"x", "y"}) == Truth::proved);
+  CHECK(truth_of("u > 9", {"exp(y) + 2 = x", "2 = y", "x + 1 = z", "z = u"}, {"u", "x", "y", "z"}) ==
+        Truth::proved);
+  CHECK(truth_of("x = y", {"x = y", "y = x"}, {"x", "y"}) == Truth::proved);
+  CHECK(truth_of("x = 0", {"x = y", "y = -x"}, {"x", "y"}) == Truth::proved);
+  CHECK(truth_of("x > 8", {"exp(2) = x"}, {"x"}) == Truth::refuted);
+  CHECK(truth_of("x > 8", {"exp(2) = x", "x = y"}, {"x", "y"}) == Truth::refuted);
+  CHECK(truth_of("x = 1", {"x = x"}, {"x"}) == Truth::refuted);
+  CHECK(truth_of("x = 1", {"x = y", "y = x"}, {"x", "y"}) == Truth::refuted);
+  // Of what nothing obeys, or nobody knows whether something does.
+  CHECK(reason_of({"x > 5", {"x = y", "y = x + 1"}, {"x", "y"}}).starts_with("vacuous"));
+  CHECK(reason_of({"x = 3", {"2 = x", "1 = x"}, {"x"}}).starts_with("vacuous"));
+  CHECK(truth_of("x = 3", {"exp(2) = x", "1 = x"}, {"x"}) == Truth::undecided);
+  CHECK(truth_of("x > 8", {"exp(x) = x"}, {"x"}) == Truth::undecided);
+  CHECK(truth_of("x > 0", {"1 = x, 0 < t < tau"}, {"x"}) == Truth::undecided);
+}
+
 TEST_CASE("a root of what is 0 up to rounding is no number for balls") {
   CHECK(reason_of({"sqrt(sin(pi) - x^2) = 1", {}, {"x"}}) ==
         "the left side is a number that balls do not enclose and the right side is 1 at $x = 0$");
