@@ -9,6 +9,7 @@
 
 #include "proofs/tactics/algebraic_numbers.hpp"
 #include "proofs/tactics/closed.hpp"
+#include "proofs/tactics/cuts.hpp"
 #include "proofs/tactics/letters.hpp"
 #include "proofs/tactics/sum_of_products.hpp"
 
@@ -150,6 +151,17 @@ Term in_powers(const Term& term) {
   return result;
 }
 
+// A number of few digits beside one that is positive.
+Rational rounded(long double value, bool up) {
+  constexpr int digits = 10;
+  int exponent = 0;
+  const long double whole = std::ldexp(std::frexp(value, &exponent), digits);
+  if (!std::isfinite(value)) {
+    throw KernelError("it is no number that floating point knows");
+  }
+  return std::ldexp(static_cast<double>(up ? std::floor(whole) + 1 : std::ceil(whole) - 1), exponent - digits);
+}
+
 class Search {
   static constexpr int deepest = 4;
 
@@ -207,6 +219,37 @@ class Search {
     constexpr std::size_t most = 16;
     const Theorems here = of_use(
         goal, known, [](const Formula& one) { return one.variables(); }, most);
+    return depth == deepest ? once(goal, here, [&] { return searched(goal, here, depth); })
+                            : searched(goal, here, depth);
+  }
+
+ private:
+  // What the work makes, unless it made nothing of the same before: a line is tried in many ways.
+  template <class Work>
+  Theorem once(const Formula& goal, const Theorems& known, const Work& work) const {
+    static thread_local std::set<std::vector<Term>> failed;
+    std::vector<Term> said{goal, Term(work_), Term(is_part_ ? 1 : 0)};
+    std::ranges::transform(known, std::back_inserter(said), &Theorem::conclusion);
+    if (failed.contains(said)) {
+      throw KernelError("it was not found");
+    }
+    try {
+      return work();
+    } catch (const KernelError&) {
+      constexpr std::size_t most = 1000;
+      if (failed.size() < most) {
+        failed.insert(said);
+      }
+      throw;
+    }
+  }
+
+  Theorem searched(const Formula& goal, const Theorems& here, int depth) {
+    const Term& a = goal.parts()[1];
+    const bool strictly = goal.kind() == Kind::less;
+    if (const auto theorem = attempt([&] { return in_balls(goal, here, depth); })) {
+      return *theorem;
+    }
     if (work_ < 0 || seems_negative(a, here)) {
       throw KernelError("it does not hold");
     }
@@ -218,10 +261,13 @@ class Search {
     if (depth <= 0) {
       throw KernelError("it is no sum of products of what is known");
     }
-    return along_variables(a, strictly, here, depth);
+    const Cuts parts = depth == deepest && !is_part_ ? places(a, here) : Cuts{};
+    const auto along = parts.has_valley ? std::nullopt : attempt([&] {
+      return along_variables(a, strictly, here, depth);
+    });
+    return along ? *along : in_parts(a, strictly, parts.places, here);
   }
 
- private:
   // 0 < a or 0 ≤ a: of the whole, or from the signs of its factors.
   Theorem positive(const Polynomial& a, const Letters& letters, bool strictly, const Theorems& known,
                    int depth) {
@@ -339,6 +385,9 @@ class Search {
         if (const auto side = beside_one(u, above, known)) {
           facts.push_back(*side);
         }
+        if (const auto side = is_part_ ? beside_end(u, above, known) : std::nullopt) {
+          facts.push_back(*side);
+        }
       }
       for (const Term& v : exponents) {
         const auto ratio = v == u ? std::nullopt : beside_one(u - v, true, known);
@@ -356,6 +405,28 @@ class Search {
     return first_that_works(std::array{true, false}, [&](bool strictly) {
       const Theorem sign = decided(is_positive(above ? u : -u, strictly), known, 0);
       return detach(Theorem::instantiate(beside_one(above, strictly), {{Variable{"v"}, u}}), sign);
+    });
+  }
+
+  // 0 < exp(u) - number or 0 < number - exp(u), where u is known to lie above or below what it is at an end of
+  // its variable's range.
+  std::optional<Theorem> beside_end(const Term& u, bool above, const Theorems& known) {
+    if (u.variables().size() != 1) {
+      return std::nullopt;
+    }
+    return first_that_works(std::array{false, true}, [&](bool is_upper) {
+      const Variable x = *u.variables().begin();
+      const auto end = bound(x, is_upper, known);
+      const Term v = end ? substitute(u, {{x, end->conclusion().parts()[is_upper ? 1 : 0]}}) : u;
+      const auto ratio = end ? beside_one(u - v, above, known) : std::nullopt;
+      if (!ratio) {
+        throw KernelError("it is not known to lie on that side");
+      }
+      constexpr long double least = 0x1p-20L;
+      const Term number = rounded(std::max(estimated(exp(v), {}), least), !above);
+      const Theorem beside = Theorem::sign(above ? less(number, exp(v)) : less(exp(v), number));
+      return Theorem::order(less(0, above ? exp(u) - number : number - exp(u)),
+                            {Positive{{*ratio, exponential_is_positive(v)}}, Positive{{beside}}});
     });
   }
 
@@ -403,7 +474,7 @@ class Search {
         }
       }
     }
-    for (const Variable& x : depth == deepest ? f.variables() : Variables()) {
+    for (const Variable& x : depth == deepest && !is_part_ ? f.variables() : Variables()) {
       if (const auto theorem = attempt([&] { return between_ends(x, f, strictly, known, depth); })) {
         return *theorem;
       }
@@ -422,12 +493,8 @@ class Search {
       });
       return found != known.end() && is_bent_along(f, x) ? *found : throw KernelError("it has no such end");
     };
-    const auto rate = [&](const Term& of) {
-      const Variable t = fresh(real_number, {of, x});
-      return Theorem::differentiate(lambda(t, substitute(of, {{x, t}})), x).conclusion().parts()[2];
-    };
-    const Term slope = rate(f);
-    if (seems_negative(-rate(slope), known)) {
+    const Term slope = rate(f, x);
+    if (seems_negative(-rate(slope, x), known)) {
       throw KernelError("it does not bend down");
     }
     const auto from = [&](const Theorem& bound, const Formula& turn) {
@@ -499,7 +566,155 @@ class Search {
                        {{part(between_them, 1), is_lower ? 1 : -1}}));
   }
 
+  // ---- Cuts through the range of a variable
+
+  // x ≤ number or number ≤ x, the best that is known: of x, or of what it is known to lie below or above.
+  static std::optional<Theorem> bound(const Variable& x, bool above, const Theorems& known, int steps = deepest) {
+    constexpr long double fine = 0x1p40L, largest = 0x1p20L;
+    std::optional<Theorem> best;
+    const auto number = [above](const Theorem& one) { return one.conclusion().parts()[above ? 1 : 0].value(); };
+    for (const Theorem& one : known) {
+      const std::vector<Term>& sides = one.conclusion().parts();
+      if (!is_inequality(one.conclusion()) || !(sides[above ? 0 : 1] == Term(x))) {
+        continue;
+      }
+      const Term& end = sides[above ? 1 : 0];
+      const auto found = attempt([&] {
+        std::vector<Positive> sum{Positive{{one}}};
+        Term value = end;
+        if (end.kind() == Kind::variable) {
+          const auto next = steps > 0 ? bound({end.name(), end.type()}, above, known, steps - 1) : std::nullopt;
+          sum.push_back(Positive{{next ? *next : throw KernelError("it has no such bound")}});
+          value = number(*next);
+        } else if (end.kind() != Kind::number) {
+          const long double near = estimated(end, {});
+          if (!(std::abs(near) < largest)) {
+            throw KernelError("it is no number that is known nearly");
+          }
+          const Rational beside(std::lround(fine * near) + (above ? 1 : -1));
+          value = Term(Rational(beside / std::lround(fine)));
+          sum.push_back(Positive{{Theorem::sign(above ? less(end, value) : less(value, end))}});
+        }
+        return Theorem::order(above ? at_most(x, value) : at_most(value, x), sum);
+      });
+      if (found && (!best || (above ? number(*found) < number(*best) : number(*found) > number(*best)))) {
+        best = found;
+      }
+    }
+    return best;
+  }
+
+  // In balls, where each variable is known to lie between numbers.
+  Theorem in_balls(const Formula& goal, const Theorems& known, int depth) {
+    const Term &f = goal.parts()[1];
+    Ranges ranges;
+    Theorems ends;
+    Point low, middle, high;
+    for (const Variable& x : f.variables()) {
+      const auto lower = bound(x, false, known), upper = lower ? bound(x, true, known) : std::nullopt;
+      if (!upper) {
+        throw KernelError("it lies between no numbers");
+      }
+      ends.insert(ends.end(), {*lower, *upper});
+      const Rational from = lower->conclusion().parts()[0].value(), to = upper->conclusion().parts()[1].value();
+      ranges.emplace(x, Interval{from, to});
+      low[x] = from, middle[x] = (from + to) / 2, high[x] = to;
+    }
+    constexpr long double in_doubt = 1e-9L;
+    for (const Point& place : {low, middle, high}) {
+      if (!(estimated(f, place) > in_doubt)) {
+        throw KernelError("it is zero at an end");
+      }
+    }
+    int left = depth <= 0 ? 1 : 200;
+    return cut_all(ends, Theorem::order(goal, {Positive{{on_pieces(f, ranges, left)}}}));
+  }
+
+  // 0 < f on these ranges: in balls, or from an end, or on both halves.
+  Theorem on_pieces(const Term& f, const Ranges& ranges, int& left) {
+    if (const auto theorem = attempt([&] { return Theorem::sign(less(0, f), ranges); })) {
+      return *theorem;
+    }
+    auto widest = ranges.begin();
+    const auto width = [](const auto& range) { return Rational(range->second.second - range->second.first); };
+    Point place;
+    for (auto one = ranges.begin(); one != ranges.end(); ++one) {
+      widest = width(one) > width(widest) ? one : widest;
+      place[one->first] = (one->second.first.value() + one->second.second.value()) / 2;
+    }
+    if (--left <= 0 || !(estimated(f, place) > 0)) {
+      throw KernelError("it is not decided on so many pieces");
+    }
+    const auto& [x, range] = *widest;
+    if (ranges.size() == 1) {
+      const auto from = [&](bool is_lower) { return on_piece(f, widest->first, widest->second, is_lower); };
+      if (const auto theorem = first_that_works(std::array{true, false}, from)) {
+        return *theorem;
+      }
+    }
+    Ranges before = ranges, after = ranges;
+    before.at(x).second = place.at(x);
+    after.at(x).first = place.at(x);
+    const Theorem first = on_pieces(f, before, left);
+    return either_side(first, on_pieces(f, after, left), x, place.at(x));
+  }
+
+  // From the end, where f does not fall from its value there to 0 on the way to the other.
+  Theorem on_piece(const Term& f, const Variable& x, const Interval& range, bool is_lower) {
+    const auto& [l, u] = range;
+    const Rational here = is_lower ? l : u, there = is_lower ? u : l;
+    const long double value = estimated(f, {{x, here}});
+    if (!(value > 0)) {
+      throw KernelError("it is not positive at the end");
+    }
+    const Rational fall = rounded(value, false) / (here - there);
+    const Term slope = rate(f, x);
+    static_cast<void>(Theorem::sign(is_lower ? less(fall, slope) : less(slope, fall), {{x, range}}));
+    const Theorem lower = Theorem::assume(at_most(l, x)), upper = Theorem::assume(at_most(x, u));
+    const Theorem above = from_end(x, f - fall * (x - there), is_lower ? lower : upper, true, {lower, upper}, 0);
+    return Theorem::order(less(0, f), {Positive{{above}}, Positive{{is_lower ? upper : lower}, abs(fall)}});
+  }
+
+  // Where to cut the range of its one variable.
+  static Cuts places(const Term& f, const Theorems& known) {
+    if (f.variables().size() != 1) {
+      return {};
+    }
+    const Variable x = *f.variables().begin();
+    const auto number = [&](bool above) {
+      const auto end = bound(x, above, known);
+      return end ? std::optional<Rational>(end->conclusion().parts()[above ? 1 : 0].value()) : std::nullopt;
+    };
+    return cuts(f, x, number(false), number(true));
+  }
+
+  // On each side of these.
+  static Theorem in_parts(const Term& f, bool strictly, const std::vector<Rational>& places,
+                          const Theorems& known) {
+    if (places.empty()) {
+      throw KernelError("there is no end from which it grows");
+    }
+    const Variable x = *f.variables().begin();
+    std::optional<Theorem> all;
+    for (std::size_t k = 0; k <= places.size(); ++k) {
+      Theorems more = known;
+      if (k > 0) {
+        more.push_back(Theorem::assume(at_most(places[k - 1], x)));
+      }
+      if (k < places.size()) {
+        more.push_back(Theorem::assume(at_most(x, places[k])));
+      }
+      Search search;
+      search.is_part_ = true;
+      search.work_ /= 4;
+      const Theorem one = search.positive(f, strictly, more, deepest);
+      all = all ? either_side(*all, one, x, places[k - 1]) : one;
+    }
+    return *all;
+  }
+
   long work_ = 400000;
+  bool is_part_ = false;  // of a range that was cut
 };
 
 // a < b or a ≤ b, since what is known contradicts the opposite.

@@ -1,0 +1,161 @@
+#include "proofs/tactics/cuts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "proofs/tactics/closed.hpp"
+
+namespace stickslip::proofs::tactics {
+
+using namespace kernel;
+
+namespace {
+
+using Float = long double;
+constexpr Float nearly_zero = 1e-9L;
+
+// The number between that has the least power of two below it.
+Rational simplest(Float from, Float to) {
+  long below = 1;
+  while (std::ceil(from * static_cast<Float>(below)) > to * static_cast<Float>(below) && below < (1L << 30)) {
+    below *= 2;
+  }
+  return Rational(std::lround(std::ceil(from * static_cast<Float>(below)))) / below;
+}
+
+class Graph {
+ public:
+  Graph(const Term& f, const Variable& x, const std::optional<Rational>& lower,
+        const std::optional<Rational>& upper)
+      : x_(x), lower_(lower), upper_(upper), rates_{f, rate(f, x)} {
+    constexpr int many = 96;
+    const Float from = lower ? lower->get_d() : 0, to = upper ? upper->get_d() : 0;
+    for (int k = 0; k <= many; ++k) {
+      const Float part = static_cast<Float>(k) / many, far = (std::exp2(12 * part) - 1) / 16;
+      if (lower && upper) {
+        grid_.push_back(from + (to - from) * part);
+      } else if (lower) {
+        grid_.push_back(from + far);
+      } else if (upper) {
+        grid_.push_back(to - far);
+      } else {
+        grid_.insert(grid_.end(), {far, -far});
+      }
+    }
+    std::ranges::sort(grid_);
+  }
+
+  Cuts cuts() {
+    if (std::ranges::any_of(grid_, [&](Float place) { return !(at(0, place) >= -nearly_zero); })) {
+      return {};
+    }
+    Cuts result;
+    std::vector<std::size_t> turns;  // since the last zero
+    std::size_t start = 0;
+    bool has_valley = false;
+    const auto end_part = [&](std::size_t end) {
+      const bool is_open = (start == 0 && !lower_) || (end + 1 == grid_.size() && !upper_);
+      if (has_valley || !is_open) {
+        add_cuts(start, end, turns, result.places);
+      }
+      result.has_valley = result.has_valley || has_valley;
+      turns.clear();
+      has_valley = false;
+      start = end;
+    };
+    for (std::size_t k = 1; k < grid_.size(); ++k) {
+      const bool falls = at(1, grid_[k - 1]) < 0, rises = at(1, grid_[k]) >= 0;
+      if (falls && rises) {
+        const Float lowest = zero_of_rate(grid_[k - 1], grid_[k]);
+        if (at(0, lowest) > nearly_zero) {
+          has_valley = true;
+        } else {
+          constexpr Float near = 1e-5L;
+          const Rational zero = simplest(lowest - near, lowest + near);
+          if (at(0, lowest) < -nearly_zero || !seems_zero({substitute(rates_[0], {{x_, zero}})}, {})) {
+            return {};
+          }
+          result.places.push_back(zero);
+          grid_[k] = zero.get_d();
+          end_part(k);
+          result.has_valley = true;
+          continue;
+        }
+      }
+      if (falls == rises) {
+        turns.push_back(k);
+      }
+    }
+    end_part(grid_.size() - 1);
+    std::ranges::sort(result.places);
+    result.places.erase(std::unique(result.places.begin(), result.places.end()), result.places.end());
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Float at(std::size_t order, Float place) const {
+    return estimated(rates_[order], {{x_, Rational(static_cast<double>(place))}});
+  }
+
+  [[nodiscard]] Float zero_of_rate(Float falling, Float rising) const {
+    constexpr int halvings = 60;
+    for (int k = 0; k < halvings; ++k) {
+      const Float middle = (falling + rising) / 2;
+      (at(1, middle) < 0 ? falling : rising) = middle;
+    }
+    return rising;
+  }
+
+  // Beside an end at which it is zero, and beyond the turns on the side of one that is far out.
+  void add_cuts(std::size_t start, std::size_t end, const std::vector<std::size_t>& turns,
+                std::vector<Rational>& places) {
+    if (start == 0 && !lower_) {
+      const Float first = turns.empty() ? grid_[end] : grid_[turns.front() - 1];
+      places.push_back(simplest(first - 1, first));
+    } else if (at(0, grid_[start]) < nearly_zero) {
+      add_beside(start, end, places);
+    }
+    if (end + 1 == grid_.size() && !upper_) {
+      const Float last = turns.empty() ? grid_[start] : grid_[turns.back()];
+      places.push_back(simplest(last, last + 1));
+    } else if (at(0, grid_[end]) < nearly_zero) {
+      add_beside(end, start, places);
+    }
+  }
+
+  // From a zero about half as far as the first rate that is not zero there keeps its sign.
+  void add_beside(std::size_t zero, std::size_t end, std::vector<Rational>& places) {
+    constexpr std::size_t most = 5;
+    std::size_t order = 1;
+    while (order < most && std::abs(at(order, grid_[zero])) < nearly_zero) {
+      if (++order == rates_.size()) {
+        rates_.push_back(rate(rates_.back(), x_));
+      }
+    }
+    std::size_t k = zero;
+    while (k != end && (at(order, grid_[k]) > 0) == (at(order, grid_[zero]) > 0)) {
+      k += zero < end ? 1 : -1UL;
+    }
+    const Float near = grid_[zero] + (grid_[k] - grid_[zero]) / 4, far = grid_[zero] + (grid_[k] - grid_[zero]) / 2;
+    places.push_back(simplest(std::min(near, far), std::max(near, far)));
+  }
+
+  Variable x_;
+  std::optional<Rational> lower_, upper_;
+  std::vector<Term> rates_;  // f, f', …
+  std::vector<Float> grid_;
+};
+
+}  // namespace
+
+Term rate(const Term& f, const Variable& x) {
+  const Variable t = fresh(real_number, {f, x});
+  return Theorem::differentiate(lambda(t, substitute(f, {{x, t}})), x).conclusion().parts()[2];
+}
+
+Cuts cuts(const Term& f, const Variable& x, const std::optional<Rational>& lower,
+          const std::optional<Rational>& upper) {
+  return Graph(f, x, lower, upper).cuts();
+}
+
+}  // namespace stickslip::proofs::tactics
