@@ -46,10 +46,17 @@ class Graph {
   }
 
   Cuts cuts() {
-    if (std::ranges::any_of(grid_, [&](Float place) { return !(at(0, place) >= -nearly_zero); })) {
-      return {};
-    }
     Cuts result;
+    for (const Float place : grid_) {
+      const Float value = at(0, place);
+      if (value < -nearly_zero) {
+        result.below = number(place);
+        return result;
+      }
+      if (std::isnan(value)) {
+        return result;
+      }
+    }
     std::vector<std::size_t> turns;  // since the last zero
     std::size_t start = 0;
     bool has_valley = false;
@@ -72,7 +79,10 @@ class Graph {
         } else {
           constexpr Float near = 1e-5L;
           const Rational zero = simplest(lowest - near, lowest + near);
-          if (at(0, lowest) < -nearly_zero || !seems_zero({substitute(rates_[0], {{x_, zero}})}, {})) {
+          if (at(0, lowest) < -nearly_zero) {
+            return {.below = number(lowest)};
+          }
+          if (!seems_zero({substitute(rates_[0], {{x_, zero}})}, {})) {
             return {};
           }
           result.places.push_back(zero);
@@ -87,14 +97,30 @@ class Graph {
       }
     }
     end_part(grid_.size() - 1);
+    if ((!lower_ && swings(0)) || (!upper_ && swings(grid_.size() - far_out))) {
+      result.places.clear();
+    }
     std::ranges::sort(result.places);
     result.places.erase(std::unique(result.places.begin(), result.places.end()), result.places.end());
     return result;
   }
 
  private:
+  [[nodiscard]] static Rational number(Float place) { return static_cast<double>(place); }
   [[nodiscard]] Float at(std::size_t order, Float place) const {
-    return estimated(rates_[order], {{x_, Rational(static_cast<double>(place))}});
+    return estimated(rates_[order], {{x_, number(place)}});
+  }
+
+  // Whether it rises and falls far out, on some places of the grid from this one on.
+  [[nodiscard]] bool swings(std::size_t start) const {
+    constexpr Float least = 1e-6L;
+    bool rises = false, falls = false;
+    for (std::size_t k = start; k < start + far_out; ++k) {
+      const Float slope = at(1, grid_[k]);
+      rises = rises || slope > least;
+      falls = falls || slope < -least;
+    }
+    return rises && falls;
   }
 
   [[nodiscard]] Float zero_of_rate(Float falling, Float rising) const {
@@ -136,9 +162,12 @@ class Graph {
     while (k != end && (at(order, grid_[k]) > 0) == (at(order, grid_[zero]) > 0)) {
       k += zero < end ? 1 : -1UL;
     }
-    const Float near = grid_[zero] + (grid_[k] - grid_[zero]) / 4, far = grid_[zero] + (grid_[k] - grid_[zero]) / 2;
+    const Float near = grid_[zero] + (grid_[k] - grid_[zero]) / 4,
+                far = grid_[zero] + (grid_[k] - grid_[zero]) / 2;
     places.push_back(simplest(std::min(near, far), std::max(near, far)));
   }
+
+  static constexpr std::size_t far_out = 16;
 
   Variable x_;
   std::optional<Rational> lower_, upper_;

@@ -159,7 +159,8 @@ Rational rounded(long double value, bool up) {
   if (!std::isfinite(value)) {
     throw KernelError("it is no number that floating point knows");
   }
-  return std::ldexp(static_cast<double>(up ? std::floor(whole) + 1 : std::ceil(whole) - 1), exponent - digits);
+  return std::ldexp(static_cast<double>(up ? std::floor(whole) + 1 : std::ceil(whole) - 1),
+                    exponent - digits);
 }
 
 class Search {
@@ -208,6 +209,27 @@ class Search {
     Theorems facts = known;
     add_what_letters_say(0, known, 2, facts);
     return sum_of_products(less(0, 0), facts, work_);
+  }
+
+  // Where to cut the range of its one variable. Throws where it seems to be negative.
+  static Cuts places(const Term& f, const Theorems& known) {
+    if (f.variables().size() != 1) {
+      return {};
+    }
+    const Variable x = *f.variables().begin();
+    const auto number = [&](bool above) {
+      const auto end = bound(x, above, known);
+      return end ? std::optional<Rational>(end->conclusion().parts()[above ? 1 : 0].value()) : std::nullopt;
+    };
+    const Cuts result = cuts(f, x, number(false), number(true));
+    const auto holds_there = [&](const Theorem& one) {
+      return one.conclusion().variables() == f.variables() && is_inequality(one.conclusion()) &&
+             estimated(gap_of(one.conclusion()), {{x, *result.below}}) > 0;
+    };
+    if (result.below && std::ranges::all_of(known, holds_there)) {
+      throw KernelError("it does not hold");
+    }
+    return result;
   }
 
   // 0 < a or 0 ≤ a, of a polynomial in letters.
@@ -262,9 +284,8 @@ class Search {
       throw KernelError("it is no sum of products of what is known");
     }
     const Cuts parts = depth == deepest && !is_part_ ? places(a, here) : Cuts{};
-    const auto along = parts.has_valley ? std::nullopt : attempt([&] {
-      return along_variables(a, strictly, here, depth);
-    });
+    const auto along =
+        parts.has_valley ? std::nullopt : attempt([&] { return along_variables(a, strictly, here, depth); });
     return along ? *along : in_parts(a, strictly, parts.places, here);
   }
 
@@ -408,8 +429,8 @@ class Search {
     });
   }
 
-  // 0 < exp(u) - number or 0 < number - exp(u), where u is known to lie above or below what it is at an end of
-  // its variable's range.
+  // 0 < exp(u) - number or 0 < number - exp(u), where u is known to lie above or below what it is at an end
+  // of its variable's range.
   std::optional<Theorem> beside_end(const Term& u, bool above, const Theorems& known) {
     if (u.variables().size() != 1) {
       return std::nullopt;
@@ -569,10 +590,13 @@ class Search {
   // ---- Cuts through the range of a variable
 
   // x ≤ number or number ≤ x, the best that is known: of x, or of what it is known to lie below or above.
-  static std::optional<Theorem> bound(const Variable& x, bool above, const Theorems& known, int steps = deepest) {
+  static std::optional<Theorem> bound(const Variable& x, bool above, const Theorems& known,
+                                      int steps = deepest) {
     constexpr long double fine = 0x1p40L, largest = 0x1p20L;
     std::optional<Theorem> best;
-    const auto number = [above](const Theorem& one) { return one.conclusion().parts()[above ? 1 : 0].value(); };
+    const auto number = [above](const Theorem& one) {
+      return one.conclusion().parts()[above ? 1 : 0].value();
+    };
     for (const Theorem& one : known) {
       const std::vector<Term>& sides = one.conclusion().parts();
       if (!is_inequality(one.conclusion()) || !(sides[above ? 0 : 1] == Term(x))) {
@@ -583,7 +607,8 @@ class Search {
         std::vector<Positive> sum{Positive{{one}}};
         Term value = end;
         if (end.kind() == Kind::variable) {
-          const auto next = steps > 0 ? bound({end.name(), end.type()}, above, known, steps - 1) : std::nullopt;
+          const auto next =
+              steps > 0 ? bound({end.name(), end.type()}, above, known, steps - 1) : std::nullopt;
           sum.push_back(Positive{{next ? *next : throw KernelError("it has no such bound")}});
           value = number(*next);
         } else if (end.kind() != Kind::number) {
@@ -606,7 +631,7 @@ class Search {
 
   // In balls, where each variable is known to lie between numbers.
   Theorem in_balls(const Formula& goal, const Theorems& known, int depth) {
-    const Term &f = goal.parts()[1];
+    const Term& f = goal.parts()[1];
     Ranges ranges;
     Theorems ends;
     Point low, middle, high;
@@ -616,7 +641,8 @@ class Search {
         throw KernelError("it lies between no numbers");
       }
       ends.insert(ends.end(), {*lower, *upper});
-      const Rational from = lower->conclusion().parts()[0].value(), to = upper->conclusion().parts()[1].value();
+      const Rational from = lower->conclusion().parts()[0].value(),
+                     to = upper->conclusion().parts()[1].value();
       ranges.emplace(x, Interval{from, to});
       low[x] = from, middle[x] = (from + to) / 2, high[x] = to;
     }
@@ -671,21 +697,9 @@ class Search {
     const Term slope = rate(f, x);
     static_cast<void>(Theorem::sign(is_lower ? less(fall, slope) : less(slope, fall), {{x, range}}));
     const Theorem lower = Theorem::assume(at_most(l, x)), upper = Theorem::assume(at_most(x, u));
-    const Theorem above = from_end(x, f - fall * (x - there), is_lower ? lower : upper, true, {lower, upper}, 0);
+    const Theorem above =
+        from_end(x, f - fall * (x - there), is_lower ? lower : upper, true, {lower, upper}, 0);
     return Theorem::order(less(0, f), {Positive{{above}}, Positive{{is_lower ? upper : lower}, abs(fall)}});
-  }
-
-  // Where to cut the range of its one variable.
-  static Cuts places(const Term& f, const Theorems& known) {
-    if (f.variables().size() != 1) {
-      return {};
-    }
-    const Variable x = *f.variables().begin();
-    const auto number = [&](bool above) {
-      const auto end = bound(x, above, known);
-      return end ? std::optional<Rational>(end->conclusion().parts()[above ? 1 : 0].value()) : std::nullopt;
-    };
-    return cuts(f, x, number(false), number(true));
   }
 
   // On each side of these.
@@ -775,6 +789,10 @@ Theorem inequality(const Formula& inequality, const std::vector<Theorem>& known)
       return *theorem;
     }
   }
+  const bool is_cut =
+      Search::places(gap_of(inequality),
+                     of_use(inequality, known, [](const Formula& one) { return one.variables(); }))
+          .has_valley;
   // On both sides of a number, for what grows away from there.
   Search search;
   for (const Variable& x : inequality.variables()) {
@@ -783,7 +801,7 @@ Theorem inequality(const Formula& inequality, const std::vector<Theorem>& known)
       const auto is_on = [&](const Formula& side) {
         return attempt([&] { return search.decided(side, known, 0); });
       };
-      if (!is_bent_along(inequality, x) || is_on(before) || is_on(after)) {
+      if (is_cut || !is_bent_along(inequality, x) || is_on(before) || is_on(after)) {
         continue;
       }
       const auto on_side = [&](const Formula& side) {
