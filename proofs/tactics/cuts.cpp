@@ -71,13 +71,17 @@ class Graph {
       start = end;
     };
     for (std::size_t k = 1; k < grid_.size(); ++k) {
-      const bool falls = at(1, grid_[k - 1]) < 0, rises = at(1, grid_[k]) >= 0;
+      const bool after_zero = start > 0 && start + 1 == k;
+      const bool falls = !after_zero && at(1, grid_[k - 1]) < 0, rises = at(1, grid_[k]) >= 0;
       if (falls && rises) {
         const Float lowest = zero_of_rate(grid_[k - 1], grid_[k]);
         if (at(0, lowest) > nearly_zero) {
           has_valley = true;
         } else {
-          constexpr Float near = 1e-5L;
+          Float near = 1e-5L;  // or as far as it is flat
+          while (near < 1 && at(0, lowest - near) < nearly_zero && at(0, lowest + near) < nearly_zero) {
+            near *= 2;
+          }
           const Rational zero = simplest(lowest - near, lowest + near);
           if (at(0, lowest) < -nearly_zero) {
             return {.below = number(lowest)};
