@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "proofs/methods/automatic.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/reading.hpp"
@@ -170,6 +171,9 @@ Given::Given(const Claim& claim) {
 
 // First those that can be read in one direction only, and that is not the usual one.
 Given Given::in_both_directions(const Claim& claim) {
+  if (claim.id != own_id) {
+    return Given(claim);
+  }
   Given result;
   const auto take = [&](const Assumption& one) {
     if (is_substitution(one)) {

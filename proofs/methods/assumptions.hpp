@@ -36,7 +36,8 @@ struct Given {
 
   Given() = default;
   explicit Given(const Claim& claim);
-  // Also of what says "value = scalar", and of "scalar = scalar" one of both.
+  // Of a statement of one's own also of what says "value = scalar", and of "scalar = scalar" one of both: a
+  // proof that is named says itself what it puts in.
   [[nodiscard]] static Given in_both_directions(const Claim& claim);
 
   // Adds "scalar = value", unless the scalar has a value or this one leads back to it. Whether it did.

@@ -70,11 +70,21 @@ class Graph {
       has_valley = false;
       start = end;
     };
-    for (std::size_t k = 1; k < grid_.size(); ++k) {
-      const bool after_zero = start > 0 && start + 1 == k;
-      const bool falls = !after_zero && at(1, grid_[k - 1]) < 0, rises = at(1, grid_[k]) >= 0;
-      if (falls && rises) {
-        const Float lowest = zero_of_rate(grid_[k - 1], grid_[k]);
+    std::optional<std::size_t> fell, rose;  // the last place, if it is since the other
+    for (std::size_t k = 0; k < grid_.size(); ++k) {
+      const Float slope = at(1, grid_[k]);
+      if (!(std::abs(slope) > least_slope)) {
+        continue;
+      }
+      const bool rises = slope > 0;
+      const std::optional<std::size_t> before = rises ? fell : rose;
+      (rises ? rose : fell) = k;
+      (rises ? fell : rose).reset();
+      if (!before) {
+        continue;
+      }
+      if (rises) {
+        const Float lowest = zero_of_rate(grid_[*before], grid_[k]);
         if (at(0, lowest) > nearly_zero) {
           has_valley = true;
         } else {
@@ -91,14 +101,13 @@ class Graph {
           }
           result.places.push_back(zero);
           grid_[k] = zero.get_d();
+          rose.reset();
           end_part(k);
           result.has_valley = true;
           continue;
         }
       }
-      if (falls == rises) {
-        turns.push_back(k);
-      }
+      turns.insert(turns.end(), {*before, k});
     }
     end_part(grid_.size() - 1);
     if ((!lower_ && swings(0)) || (!upper_ && swings(grid_.size() - far_out))) {
@@ -140,7 +149,7 @@ class Graph {
   void add_cuts(std::size_t start, std::size_t end, const std::vector<std::size_t>& turns,
                 std::vector<Rational>& places) {
     if (start == 0 && !lower_) {
-      const Float first = turns.empty() ? grid_[end] : grid_[turns.front() - 1];
+      const Float first = turns.empty() ? grid_[end] : grid_[turns.front()];
       places.push_back(simplest(first - 1, first));
     } else if (at(0, grid_[start]) < nearly_zero) {
       add_beside(start, end, places);
@@ -172,6 +181,7 @@ class Graph {
   }
 
   static constexpr std::size_t far_out = 16;
+  static constexpr Float least_slope = 1e-12L;
 
   Variable x_;
   std::optional<Rational> lower_, upper_;
