@@ -47,11 +47,39 @@ std::vector<Theorem> solved(Derivation& derivation, const Theorem& equation) {
   return result;
 }
 
+// The numbers between which conditions say that it lies, nearly.
+Bounds said_bounds(const std::vector<Formula>& conditions, const Variable& x) {
+  Bounds result;
+  for (const Formula& one : conditions) {
+    if (one.kind() != kernel::Kind::less && one.kind() != kernel::Kind::at_most) {
+      continue;
+    }
+    const bool is_lower = one.parts()[1] == Term(x);
+    const Term& end = one.parts()[is_lower ? 0 : 1];
+    constexpr long double fine = 1024, largest = 0x1p40L;
+    if (!(is_lower || one.parts()[0] == Term(x)) || !end.variables().empty()) {
+      continue;
+    }
+    Rational number;
+    if (end.kind() == kernel::Kind::number) {
+      number = end.value();
+    } else if (const long double near = tactics::estimated(end, {}); std::abs(near) < largest) {
+      number = Rational(Rational(std::lround(fine * near)) / std::lround(fine));
+    } else {
+      continue;
+    }
+    std::optional<Rational>& known = is_lower ? result.lower : result.upper;
+    known = !known || (is_lower ? *known < number : *known > number) ? number : *known;
+  }
+  return result;
+}
+
 // Rational values for symbols, in the parameters' domain.
 class Draw {
  public:
-  // Of draw `k`: the first have the same small value for all that is not bounded.
-  [[nodiscard]] Rational value(const std::string& name, std::size_t k) {
+  // Of draw `k`: the first have the same small value for all that is not bounded; of the others half lie
+  // where it is said to.
+  [[nodiscard]] Rational value(const std::string& name, std::size_t k, const Bounds& said) {
     // Small ones, among which equations of low degree have solutions.
     static const std::array<Rational, 14> small{
         Rational(0),     Rational(1),    Rational(-1),    Rational(1, 2),  Rational(2),
@@ -75,6 +103,9 @@ class Draw {
     }
     if (k < small.size()) {
       return small[k];
+    }
+    if (said.lower && said.upper && k % 2 == 0) {
+      return *said.lower + ratio(below(499) + 1, 500) * (*said.upper - *said.lower);
     }
     return below(2) == 0 ? any_small() : below(2) == 0 ? size : Rational(-size);
   }
@@ -256,6 +287,10 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
     }
     const bool is_only_point =
         std::ranges::all_of(open->drawn, [](const Variable& one) { return root_of(one).has_value(); });
+    std::map<Variable, Bounds, Before> said;
+    for (const Variable& name : open->drawn) {
+      said.emplace(name, said_bounds(open->conditions, name));
+    }
     std::size_t agreeing = 0;
     for (std::size_t k = 0;
          k < (is_only_point ? 1 : draws) && result.size() < most && agreeing < most_agreeing; ++k) {
@@ -265,7 +300,8 @@ std::vector<Scene> scenes(Prover& prover, const Claim& claim, const std::optiona
         if (root_of(name)) {
           continue;
         }
-        scene.point.push_back({name.name, values.emplace(name, draw.value(name.name, k)).first->second});
+        scene.point.push_back(
+            {name.name, values.emplace(name, draw.value(name.name, k, said.at(name))).first->second});
       }
       if (!add_roots(values, open->roots)) {
         continue;

@@ -438,8 +438,9 @@ TEST_CASE("a largest value inside is enclosed where the range is cut") {
   CHECK(truth_of("sin(t) exp(-t) <= 8/25", {"t >= 0"}) == Truth::refuted);
   CHECK(truth_of("sin(t) exp(-t) <= 1/3") == Truth::refuted);
   CHECK(truth_of("t cos(t) < 3/5", {"0 <= t <= pi/2"}) == Truth::proved);
-  CHECK(truth_of("t cos(t) < 14/25", {"0 <= t <= pi/2"}) != Truth::proved);  // 0.5611 at 0.86
-  CHECK(truth_of("t sin(t) < 18/10", {"0 < t < 2"}) != Truth::proved);       // beside 2 alone
+  CHECK(truth_of("t cos(t) < 14/25", {"0 <= t <= pi/2"}) == Truth::refuted);  // 0.5611 at 0.86
+  CHECK(truth_of("t sin(t) < 18/10", {"0 < t < 2"}) == Truth::refuted);       // beside 2 alone
+  CHECK(truth_of("tan(t) < 2 t", {"0 < t < 6/5"}) == Truth::refuted);         // beside 6/5
   // Zero inside, or at an end.
   CHECK(of_x("x^2 exp(-x) <= 4 exp(-2)", {"x >= 0"}) == Truth::proved);
   CHECK(of_x("x^2 exp(-x) < 4 exp(-2)", {"x >= 0"}) == Truth::refuted);
