@@ -86,7 +86,7 @@ template <class S, int N, class F, class D>
             // What the parameters alone leave open no shorter cell decides.
             const auto is_wide = [](const T& x) {
               const S spread = x.over_from(1);
-              return !spread.is_nonzero() && scalars::is_narrower(x.over, spread * S(1.25));
+              return !spread.is_nonzero() && scalars::is_narrower(x.over, spread * S(1.03125));
             };
             hopeless = is_wide(value) && is_wide(slope);
             const Hope of_value = hope_of(value, 1);
