@@ -67,6 +67,15 @@ template <class T>
           hope_of(x)};
 }
 
+// Whether the parameters alone leave open nearly all that is open of x, whose variable 0 is a piece or a
+// cell: no shorter one is likely to decide it.
+template <class T>
+[[nodiscard]] bool is_left_open_by_parameters(const T& x) {
+  constexpr double nearly_all = 1.03125;
+  const auto spread = x.over_from(1);
+  return !spread.is_nonzero() && scalars::is_narrower(x.over, spread * decltype(spread)(nearly_all));
+}
+
 // Whether g(t) > 0 for 0 < t < duration, ends included except for those that g touches: there it is zero by
 // construction, and has to leave zero with nonzero speed. Refuted when some time has g < 0 for every member,
 // the same share of the duration for all. Only the open times are looked at, and those that stay open are
@@ -120,18 +129,15 @@ template <class T, class G>
     if (bent && bent->is_refuted) {
       return {Truth::refuted};
     }
-    // What the parameters alone leave open no shorter piece decides. The slope at an end that g touches is
-    // asked of short pieces only: in what is left of a long one there may be a time that refutes.
+    // The slope at an end that g touches is asked of short pieces only: in what is left of a long one there
+    // may be a time that refutes.
     const bool touched = from_zero || to_zero;
     constexpr double is_short = 0x1p-4;
     const T told = bent                      ? bent->least
                    : !touched                ? value
                    : last - first > is_short ? slope
                                              : at(from_zero ? -1 : 1)[1];
-    const auto spread = told.over_from(1);
-    const bool hopeless =
-        !spread.is_nonzero() && scalars::is_narrower(told.over, spread * decltype(spread)(1.25));
-    if (last - first > least && !hopeless) {
+    if (last - first > least && !is_left_open_by_parameters(told)) {
       halve();
     } else {
       open.emplace_back(first, last);  // go on: another piece may refute it

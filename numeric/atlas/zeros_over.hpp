@@ -83,12 +83,7 @@ template <class S, int N, class F, class D>
             hopeless = !bent->least.over_from(1).is_nonzero();
             cell.hope = hope_of(bent->least, 1);
           } else {
-            // What the parameters alone leave open no shorter cell decides.
-            const auto is_wide = [](const T& x) {
-              const S spread = x.over_from(1);
-              return !spread.is_nonzero() && scalars::is_narrower(x.over, spread * S(1.03125));
-            };
-            hopeless = is_wide(value) && is_wide(slope);
+            hopeless = is_left_open_by_parameters(value) && is_left_open_by_parameters(slope);
             const Hope of_value = hope_of(value, 1);
             cell.hope = of_value.is_promising ? of_value : hope_of(slope, 1);
           }

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "proofs/methods/automatic.hpp"
 #include "proofs/methods/derivation.hpp"
 #include "proofs/methods/prover.hpp"
 #include "proofs/methods/reading.hpp"
@@ -171,7 +170,7 @@ Given::Given(const Claim& claim) {
 
 // First those that can be read in one direction only, and that is not the usual one.
 Given Given::in_both_directions(const Claim& claim) {
-  if (claim.id != own_id) {
+  if (!claim.is_searched) {
     return Given(claim);
   }
   Given result;

@@ -36,7 +36,7 @@ struct Given {
 
   Given() = default;
   explicit Given(const Claim& claim);
-  // Of a statement of one's own also of what says "value = scalar", and of "scalar = scalar" one of both: a
+  // Where nobody names the proof also of what says "value = scalar", and of "scalar = scalar" one of both; a
   // proof that is named says itself what it puts in.
   [[nodiscard]] static Given in_both_directions(const Claim& claim);
 

@@ -534,6 +534,7 @@ Claim own_claim(const OwnStatement& own) {
     }
   }
   claim.prove = automatically();
+  claim.is_searched = true;
   return saying(claim, claim.printed);
 }
 

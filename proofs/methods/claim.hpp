@@ -135,6 +135,8 @@ struct Claim {
   std::string words = {};                        // one plain sentence: what it says
   std::vector<Assumption> assumptions = {};      // "if", as the paper states it
   Proof prove = {};  // none for a model equation; of several claims at a time, each in a thread of its own
+  // Nobody names its proof: what it assumes to be equal may be put in from either side.
+  bool is_searched = false;
   // The other direction, where the paper presents what it deduces as equivalent: the premises from the
   // printed.
   Proof prove_converse = {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fmpq.hpp"
 #include "proofs/tactics/closed.hpp"
 
 namespace stickslip::proofs::tactics {
@@ -14,13 +15,12 @@ namespace {
 using Float = long double;
 constexpr Float nearly_zero = 1e-9L;
 
-// The number between that has the least power of two below it.
+// The number between, or an end, that has the least denominator.
 Rational simplest(Float from, Float to) {
-  long below = 1;
-  while (std::ceil(from * static_cast<Float>(below)) > to * static_cast<Float>(below) && below < (1L << 30)) {
-    below *= 2;
-  }
-  return Rational(std::lround(std::ceil(from * static_cast<Float>(below)))) / below;
+  const Fmpq lower(Rational(static_cast<double>(from))), upper(Rational(static_cast<double>(to)));
+  Fmpq result;
+  fmpq_simplest_between(result.raw(), lower.raw(), upper.raw());
+  return result.value();
 }
 
 class Graph {

@@ -658,7 +658,8 @@ class Reading {
     }
     const bool is_given =
         claim.kind == Kind::model || (claim.kind == Kind::definition && programs_ != nullptr);
-    if (!claim.prove && !is_given) {
+    claim.is_searched = !claim.prove && !is_given;
+    if (claim.is_searched) {
       claim.prove = proof_of(claim, *context_, "");
     }
     if (!claim.corrected.empty() && !claim.prove_corrected) {

@@ -206,6 +206,12 @@ TEST_CASE("proofs have names") {
         "as_printed");
 }
 
+TEST_CASE("an equation is read from either side where nobody names the proof") {
+  CHECK(status_of("claim c step: .\n  a > 3\n  if e: exp(2) = a\n") == "as_printed");
+  CHECK(status_of("claim c step: .\n  a > 8\n  if e: exp(2) = a\n") == "refuted");
+  CHECK(status_of("claim c step: .\n  a > 3\n  if e: exp(2) = a\n  by normal form\n") != "as_printed");
+}
+
 TEST_CASE("a method that does not fit is refused or decides nothing, in a sentence") {
   const auto status = [](const std::string& content) {
     return to_string(Prover(read(content).claims).prove("mine").status);
